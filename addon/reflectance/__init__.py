@@ -1,0 +1,1 @@
+"""The physics: Fresnel, slope distributions, masking and the two reflectance models, as formulas."""

@@ -1,0 +1,202 @@
+"""Fresnel reflectance: the exact equations, what the renderer evaluates, and cheaper ways.
+
+Everything here works element by element on operands that broadcast: with numpy
+the caller widens cos θ, ``(...)`` to ``(..., 1)``, where it meets a colour.
+n and k are relative to the medium outside, light is unpolarised, reflectances
+are shares of the arriving power, in [0, 1].
+"""
+
+from ..operands import clip, less, maximum, minimum, power, sqrt, term, where
+
+__all__ = [
+    "conductor", "conductor_blender_4_5", "dielectric", "index_from_normal", "dielectric_from_normal",
+    "schlick", "f82", "f82_tint_of", "cheap_colour_shift", "COS_THETA_82",
+]
+
+COS_THETA_82 = 1.0 / 7.0
+"""cos θ of the angle near 82° at which the F82 model is anchored."""
+
+SMALLEST = 1e-20
+"""Keeps a denominator away from 0 where there is no surface: n = 1, k = 0 at grazing incidence."""
+
+
+@term("F")
+def conductor(cos_theta, n, k):
+    """Reflectance of a surface of complex index n + ik, exactly.
+
+    cos_theta  cosine between the direction and the facet's normal, [0, 1]
+    n, k       index of refraction and extinction coefficient, n > 0, k ≥ 0
+
+    With s² = 1 − c² and (u + iv)² = (n + ik)² − s²,
+    Rs = ((c−u)² + v²)/((c+u)² + v²),
+    Rp = Rs·((cu − s²)² + c²v²)/((cu + s²)² + c²v²), F = (Rs + Rp)/2.
+    Born and Wolf, Principles of Optics, 7th ed., section 14.4.1; the equation
+    that Cook and Torrance 1982 mean where n and k are known, and Blender 5.0
+    and later evaluate.
+
+    >>> round(float(conductor(1.0, 1.5, 0.0)), 6)
+    0.04
+    >>> round(float(conductor(0.5, 0.2, 3.0)), 6)
+    0.918411
+    """
+    c2 = cos_theta * cos_theta
+    s2 = 1.0 - c2
+    nk = n * k
+    real = n * n - k * k - s2
+    size = sqrt(real * real + 4.0 * nk * nk)
+    u = sqrt(0.5 * (size + real))
+    v2 = maximum(0.5 * (size - real), 0.0)
+    r_s = ((cos_theta - u) * (cos_theta - u) + v2) / maximum((cos_theta + u) * (cos_theta + u) + v2, SMALLEST)
+    cu = cos_theta * u
+    c2v2 = c2 * v2
+    r_p_over_r_s = ((cu - s2) * (cu - s2) + c2v2) / maximum((cu + s2) * (cu + s2) + c2v2, SMALLEST)
+    return 0.5 * r_s * (1.0 + r_p_over_r_s)
+
+
+@term("F")
+def conductor_blender_4_5(cos_theta, n, k):
+    """The approximation that Cycles up to Blender 4.5 evaluates for a conductor.
+
+    cos_theta, n, k as in :func:`conductor`.  Good for n² + k² ≫ 1 only: it
+    takes the refracted ray to run along the normal.
+
+    >>> round(float(conductor_blender_4_5(1.0, 1.5, 0.0)), 6)
+    0.04
+    >>> round(float(conductor_blender_4_5(0.19, 1.5, 0.0) - conductor(0.19, 1.5, 0.0)), 2)
+    0.1
+    """
+    c2 = cos_theta * cos_theta
+    n2_k2 = n * n + k * k
+    two_n_c = 2.0 * n * cos_theta
+    r_parallel = (n2_k2 * c2 - two_n_c + 1.0) / (n2_k2 * c2 + two_n_c + 1.0)
+    r_perpendicular = (n2_k2 - two_n_c + c2) / maximum(n2_k2 + two_n_c + c2, SMALLEST)
+    return 0.5 * (r_parallel + r_perpendicular)
+
+
+@term("F")
+def dielectric(cos_theta, n):
+    """Reflectance of a surface of index n that absorbs nothing.
+
+    cos_theta  cosine between the direction and the facet's normal, [0, 1]
+    n          index of refraction, above 0; below 1 there is total reflection
+
+    F = ½ (g−c)²/(g+c)² { 1 + [c(g+c)−1]²/[c(g−c)+1]² }, g² = n² + c² − 1, and
+    F = 1 where g² < 0.  Cook and Torrance 1982, the Fresnel equation for k = 0.
+
+    >>> round(float(dielectric(1.0, 1.5)), 6)
+    0.04
+    >>> float(dielectric(0.1, 0.5))
+    1.0
+    """
+    g2 = n * n + cos_theta * cos_theta - 1.0
+    g = sqrt(g2)
+    a = (g - cos_theta) / maximum(g + cos_theta, SMALLEST)
+    b = (cos_theta * (g + cos_theta) - 1.0) / maximum(cos_theta * (g - cos_theta) + 1.0, SMALLEST)
+    return where(less(g2, 0.0), 1.0, 0.5 * a * a * (1.0 + b * b))
+
+
+@term("n")
+def index_from_normal(f0):
+    """The index n, with k = 0, that reflects f0 at normal incidence.
+
+    f0  reflectance at normal incidence, [0, 1]; 1, which no finite index
+        reaches, is held 2e-6 below.
+
+    n = (1 + √F0)/(1 − √F0).  Cook and Torrance 1982.
+
+    >>> round(float(index_from_normal(0.04)), 6)
+    1.5
+    """
+    root = minimum(sqrt(f0), 1.0 - 1e-6)
+    return (1.0 + root) / (1.0 - root)
+
+
+@term("F")
+def dielectric_from_normal(cos_theta, f0):
+    """Reflectance at any angle where only the normal reflectance is known.
+
+    cos_theta  cosine between the direction and the facet's normal, [0, 1]
+    f0         reflectance at normal incidence, [0, 1]
+
+    The paper's way: k = 0 and the effective index of :func:`index_from_normal`.
+    Cook and Torrance 1982.
+
+    >>> round(float(dielectric_from_normal(1.0, 0.6)), 6)
+    0.6
+    >>> round(float(dielectric_from_normal(0.0, 0.6)), 6)
+    1.0
+    """
+    return dielectric(cos_theta, index_from_normal(f0))
+
+
+@term("F Schlick")
+def schlick(cos_theta, f0):
+    """Schlick's approximation F0 + (1 − F0)(1 − c)⁵.
+
+    cos_theta  cosine between the direction and the facet's normal, [0, 1]
+    f0         reflectance at normal incidence
+
+    Schlick, "An Inexpensive BRDF Model for Physically-based Rendering",
+    Computer Graphics Forum 13(3), 1994, equation 15.
+
+    >>> round(float(schlick(0.5, 0.04)), 6)
+    0.07
+    """
+    return f0 + (1.0 - f0) * power(1.0 - cos_theta, 5.0)
+
+
+@term("F82")
+def f82(cos_theta, f0, tint):
+    """The F82-tint model: Schlick's curve, tinted near 82°.
+
+    cos_theta  cosine between the direction and the facet's normal, [0, 1]
+    f0         reflectance at normal incidence, [0, 1]
+    tint       F82 tint: reflectance at cos θ = 1/7 over Schlick's there
+
+    F = F0 + (1−F0)(1−c)⁵ − b·c·(1−c)⁶, held to [0, 1], with b such that
+    F(1/7) = tint·Schlick(1/7).  Kutz, Hašan and Edmondson, "Novel aspects of
+    the Adobe Standard Material", 2021, as Cycles evaluates it.
+
+    >>> round(float(f82(1.0, 0.9, 0.8)), 6)
+    0.9
+    >>> round(float(f82(1 / 7, 0.9, 0.8) / schlick(1 / 7, 0.9)), 6)
+    0.8
+    """
+    c = COS_THETA_82
+    b = schlick(c, f0) * (1.0 - tint) * (1.0 / (c * (1.0 - c) ** 6))
+    return clip(schlick(cos_theta, f0) - b * (cos_theta * power(1.0 - cos_theta, 6.0)), 0.0, 1.0)
+
+
+def f82_tint_of(f0, reflectance_82):
+    """The F82 tint of a surface: its reflectance at cos θ = 1/7 over Schlick's there.
+
+    f0              reflectance at normal incidence
+    reflectance_82  reflectance at cos θ = 1/7
+
+    >>> round(float(f82_tint_of(0.9, f82(1 / 7, 0.9, 0.8))), 6)
+    0.8
+    """
+    return reflectance_82 / schlick(COS_THETA_82, f0)
+
+
+@term("C")
+def cheap_colour_shift(cos_theta, colour_0, colour_90, average_f0):
+    """Colour of the reflected light over angle, by the paper's interpolation.
+
+    cos_theta   cosine between the direction and the facet's normal, [0, 1]
+    colour_0    colour at normal incidence
+    colour_90   colour at grazing incidence: the light's
+    average_f0  average normal reflectance of the material, [0, 1]
+
+    C = C0 + (C90 − C0)·max(0, F − F0)/(F90 − F0), F for the index that belongs
+    to the average normal reflectance, F90 = 1.  Cook and Torrance 1982,
+    section "Color".
+
+    >>> round(float(cheap_colour_shift(1.0, 0.3, 1.0, 0.5)), 6)
+    0.3
+    >>> round(float(cheap_colour_shift(0.0, 0.3, 1.0, 0.5)), 6)
+    1.0
+    """
+    f = dielectric_from_normal(cos_theta, average_f0)
+    share = maximum(f - average_f0, 0.0) / maximum(1.0 - average_f0, 1e-6)
+    return colour_0 + (colour_90 - colour_0) * share
