@@ -1,0 +1,1 @@
+"""The Blender side: thin, one thing a file."""

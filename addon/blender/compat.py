@@ -1,0 +1,42 @@
+"""Every difference between Blender 4.5 and 5.2 that this extension meets, tested by feature."""
+
+import bpy
+
+__all__ = ["conductor_formula", "working_space", "enable_nodes", "eevee_engine"]
+
+
+def conductor_formula():
+    """The conductor Fresnel that this Blender evaluates: "exact", or the approximation "blender-4.5".
+
+    The Metallic BSDF got thin-film sockets with the release that made its Fresnel exact.
+    """
+    thin_film = "Thin Film Thickness"
+    tree = bpy.data.node_groups.new(".facet_film probe", "ShaderNodeTree")
+    try:
+        metallic = tree.nodes.new("ShaderNodeBsdfMetallic")
+        exact = any(socket.identifier == thin_film for socket in metallic.inputs)
+    finally:
+        bpy.data.node_groups.remove(tree)
+    return "exact" if exact else "blender-4.5"
+
+
+def working_space():
+    """The file's scene-linear space: "Rec.709", "Rec.2020" or "ACEScg"."""
+    colourspace = getattr(bpy.data, "colorspace", None)
+    name = getattr(colourspace, "working_space", "Linear Rec.709")
+    for space in ("Rec.2020", "ACEScg"):
+        if space in name:
+            return space
+    return "Rec.709"
+
+
+def enable_nodes(material):
+    """Give a new material a node tree; from 5.0 it always has one."""
+    if material.node_tree is None:
+        material.use_nodes = True
+
+
+def eevee_engine():
+    """The identifier of EEVEE, renamed in 5.0."""
+    engines = bpy.types.RenderSettings.bl_rna.properties["engine"].enum_items.keys()
+    return "BLENDER_EEVEE_NEXT" if "BLENDER_EEVEE_NEXT" in engines else "BLENDER_EEVEE"

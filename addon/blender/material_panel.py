@@ -1,0 +1,66 @@
+"""The Facet & Film panel in the Material properties."""
+
+import bpy
+
+from .materials import group_node, record_of
+
+__all__ = ["CLASSES"]
+
+
+class _MaterialPanel:
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "material"
+
+
+class FACET_FILM_PT_material(_MaterialPanel, bpy.types.Panel):
+    """Bake a measured material"""
+
+    bl_label = "Facet & Film"
+
+    @classmethod
+    def poll(cls, context):
+        """Shown for objects that take materials."""
+        return context.object is not None and hasattr(context.object.data, "materials")
+
+    def draw(self, context):
+        """Three rows: what, how, do it."""
+        settings = context.window_manager.facet_film
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        layout.prop(settings, "preset", icon="MATERIAL")
+        layout.prop(settings, "realisation")
+        operator = layout.operator("facet_film.bake_preset", icon="SHADING_RENDERED")
+        operator.preset = settings.preset
+        operator.model = settings.model
+        operator.realisation = settings.realisation
+
+
+class FACET_FILM_PT_baked(_MaterialPanel, bpy.types.Panel):
+    """What was baked into this material, and how far it is from the measurement"""
+
+    bl_label = "Measurement"
+    bl_parent_id = "FACET_FILM_PT_material"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        """Shown for materials of ours that were baked."""
+        return group_node(context.material) is not None and bool(record_of(context.material))
+
+    def draw(self, context):
+        """The record of the bake, a line each."""
+        record = record_of(context.material)
+        column = self.layout.column(align=True)
+        column.label(text=record["title"])
+        column.label(text=f"{record['source']['dataset']}: {record['source']['citation']}")
+        column.label(text="F0  " + "  ".join(f"{value:.4f}" for value in record["f0"]))
+        column.label(text="F82 tint  " + "  ".join(f"{value:.4f}" for value in record["f82_tint"]))
+        column.label(text=f"Largest CIEDE2000 of the fit: {record['conductor']['delta_e_2000_max']:.2f}")
+        gamut = record["gamut"]
+        if gamut["outside"]:
+            column.label(text=f"Outside the gamut: {gamut['method']}, largest change {gamut['largest_change']:.4f}")
+
+
+CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_baked)

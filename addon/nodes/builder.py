@@ -1,0 +1,287 @@
+"""Builds a shader node group out of formulas written with addon.operands.
+
+One node an operation; equal subexpressions share their node; constants fold;
+nodes of one named term stand together in a frame.
+"""
+
+import contextlib
+import math
+
+import bpy
+import numpy as np
+
+from .layout import arrange
+from .operand import NodeOperand
+
+__all__ = ["GroupBuilder"]
+
+SOCKET_TYPES = {
+    "FLOAT": "NodeSocketFloat",
+    "VECTOR": "NodeSocketVector",
+    "COLOR": "NodeSocketColor",
+    "SHADER": "NodeSocketShader",
+}
+
+# Operation of a formula -> operation of the Math node, and of the Vector Math node.
+MATH = {
+    "add": "ADD", "subtract": "SUBTRACT", "multiply": "MULTIPLY", "divide": "DIVIDE", "power": "POWER",
+    "minimum": "MINIMUM", "maximum": "MAXIMUM", "absolute": "ABSOLUTE", "sin": "SINE", "cos": "COSINE",
+    "tan": "TANGENT", "sqrt": "SQRT", "exp": "EXPONENT", "arccos": "ARCCOSINE", "less": "LESS_THAN",
+    "log": "LOGARITHM",
+}
+VECTOR_MATH = {name: MATH[name] for name in (
+    "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan")}
+VECTOR_TO_FLOAT = {"dot": "DOT_PRODUCT", "length": "LENGTH"}
+VECTOR_TO_VECTOR = {"cross": "CROSS_PRODUCT", "normalize": "NORMALIZE"}
+COMPONENT = {"x_of": "X", "y_of": "Y", "z_of": "Z"}
+
+
+class GroupBuilder:
+    """One shader node group under construction.
+
+    >>> builder = GroupBuilder("Example")                                  # doctest: +SKIP
+    >>> m = builder.input("Slope", 0.3, minimum=0.0, description="rms slope m")  # doctest: +SKIP
+    >>> builder.output("Twice", 2.0 * m)                                   # doctest: +SKIP
+    >>> tree = builder.finish()                                            # doctest: +SKIP
+    """
+
+    def __init__(self, name):
+        self.tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
+        self.frames = []           # labels of the frames that are open
+        self.frame_of = {}         # node name -> frame label
+        self._shared = {}          # expression -> operand
+        self._group_inputs = {}    # frame label -> Group Input node
+        self._output_node = None
+
+    # --- the group's interface ---
+
+    def input(self, name, default=None, kind="FLOAT", *, minimum=None, maximum=None, subtype=None,
+              description="", panel=None, hide_value=False):
+        """A new input socket of the group, as an operand."""
+        parent = self._panel(panel) if panel else None
+        item = self.tree.interface.new_socket(
+            name, description=description, in_out="INPUT", socket_type=SOCKET_TYPES[kind], parent=parent)
+        if subtype:
+            item.subtype = subtype
+        for attribute, value in (("min_value", minimum), ("max_value", maximum)):
+            if value is not None:
+                setattr(item, attribute, value)
+        if default is not None:
+            item.default_value = (*default, 1.0) if kind == "COLOR" else default
+        item.hide_value = hide_value
+        return NodeOperand(self, "VECTOR" if kind == "COLOR" else kind, name)
+
+    def output(self, name, operand, kind=None, description=""):
+        """A new output socket of the group, fed by the operand."""
+        self.tree.interface.new_socket(
+            name, description=description, in_out="OUTPUT", socket_type=SOCKET_TYPES[kind or operand.kind])
+        if self._output_node is None:
+            self._output_node = self.tree.nodes.new("NodeGroupOutput")
+        self._connect(self._output_node.inputs[name], operand)
+
+    def _panel(self, name):
+        for item in self.tree.interface.items_tree:
+            if item.item_type == "PANEL" and item.name == name:
+                return item
+        return self.tree.interface.new_panel(name, default_closed=True)
+
+    # --- nodes ---
+
+    def node(self, bl_idname, inputs=None, output=None, label="", **properties):
+        """A node of any type as the operand of one of its outputs.
+
+        inputs maps socket identifiers to operands or constants; output is the
+        identifier of the output wanted, or None for the first.
+        """
+        key = (bl_idname, tuple((i, self._key(v)) for i, v in (inputs or {}).items()),
+               tuple(sorted(properties.items())))
+        node = self._shared.get(key)
+        if node is None:
+            node = self._shared[key] = self._new_node(bl_idname, properties, label)
+            for identifier, operand in (inputs or {}).items():
+                self._connect(socket_of(node.inputs, identifier), operand)
+        socket = socket_of(node.outputs, output) if output else node.outputs[0]
+        return NodeOperand(self, kind_of(socket), socket)
+
+    def random(self, dimension):
+        """A number drawn evenly from [0, 1), another one for every sample of a pixel.
+
+        White noise of the shading position, which no two samples share; each
+        dimension is independent of the others.
+        """
+        position = self.node("ShaderNodeNewGeometry", output="Position")
+        return self.node("ShaderNodeTexWhiteNoise", {"Vector": position, "W": float(dimension)},
+                         "Value", noise_dimensions="4D")
+
+    def normal(self, socket):
+        """The Normal socket's direction, or the surface's own where nothing is plugged in."""
+        from ..operands import dot, less, normalize, where
+        own = self.node("ShaderNodeNewGeometry", output="Normal")
+        return normalize(where(less(dot(socket, socket), 1e-8), own, socket))
+
+    def incoming(self):
+        """V, the unit direction from the surface to the viewer."""
+        return self.node("ShaderNodeNewGeometry", output="Incoming")
+
+    def add_shaders(self, *shaders):
+        """Sum of closures."""
+        total = shaders[0]
+        for shader in shaders[1:]:
+            total = self.node("ShaderNodeAddShader", {"Shader": total, "Shader_001": shader})
+        return total
+
+    def scale_shader(self, factor, shader):
+        """A closure times a factor that is held to [0, 1]."""
+        return self.node("ShaderNodeMixShader", {"Fac": factor, "Shader_001": shader})
+
+    @contextlib.contextmanager
+    def frame(self, label):
+        """Nodes made inside stand in a frame with this label."""
+        self.frames.append(label)
+        try:
+            yield
+        finally:
+            self.frames.pop()
+
+    def finish(self):
+        """Lay the nodes out and return the tree."""
+        arrange(self.tree, self.frame_of)
+        return self.tree
+
+    # --- operations of formulas ---
+
+    def apply(self, name, operands):
+        """The operand that an operation of a formula gives."""
+        operands = tuple(constant(operand) for operand in operands)
+        if name == "widen":
+            return operands[0]
+        simpler = simplified(name, operands)
+        if simpler is not None:
+            return simpler
+        if name in VECTOR_TO_FLOAT:
+            return self._vector_math(VECTOR_TO_FLOAT[name], operands, "Value")
+        if name in VECTOR_TO_VECTOR:
+            return self._vector_math(VECTOR_TO_VECTOR[name], operands)
+        if name in COMPONENT:
+            return self.node("ShaderNodeSeparateXYZ", {"Vector": operands[0]}, COMPONENT[name])
+        if name == "vector":
+            return self.node("ShaderNodeCombineXYZ", dict(zip("XYZ", operands)))
+        if any(is_vector(operand) for operand in operands):
+            return self._on_vectors(name, operands)
+        if name == "where":
+            return self._mix("FLOAT", "Float", *operands)
+        if name == "log":
+            operands = (*operands, math.e)
+        identifiers = ("Value", "Value_001", "Value_002")
+        return self.node("ShaderNodeMath", dict(zip(identifiers, operands)), operation=MATH[name])
+
+    def _on_vectors(self, name, operands):
+        if name in VECTOR_MATH:
+            if name == "multiply" and not all(is_vector(operand) for operand in operands):
+                direction, factor = sorted(operands, key=is_vector, reverse=True)
+                return self.node("ShaderNodeVectorMath", {"Vector": direction, "Scale": factor},
+                                 operation="SCALE")
+            return self._vector_math(VECTOR_MATH[name], operands)
+        if name == "sqrt":
+            return self._vector_math("POWER", (self.apply("maximum", (operands[0], 0.0)), 0.5))
+        if name == "exp":
+            return self._vector_math("POWER", (math.e, operands[0]))
+        if name == "where" and not is_vector(operands[0]):
+            return self._mix("VECTOR", "Vector", *operands)
+        # No Vector Math operation: channel by channel.
+        channels = [[self.apply(c, (o,)) if isinstance(o, NodeOperand) and is_vector(o)
+                     else o[i] if is_vector(o) else o for o in operands]
+                    for i, c in enumerate(("x_of", "y_of", "z_of"))]
+        return self.apply("vector", tuple(self.apply(name, tuple(channel)) for channel in channels))
+
+    def _vector_math(self, operation, operands, output="Vector"):
+        identifiers = ("Vector", "Vector_001", "Vector_002")
+        return self.node("ShaderNodeVectorMath", dict(zip(identifiers, operands)), output, operation=operation)
+
+    def _mix(self, data_type, suffix, condition, if_true, if_false):
+        inputs = {"Factor_Float": condition, f"A_{suffix}": if_false, f"B_{suffix}": if_true}
+        return self.node("ShaderNodeMix", inputs, f"Result_{suffix}", data_type=data_type, clamp_factor=False)
+
+    # --- plumbing ---
+
+    def _new_node(self, bl_idname, properties, label=""):
+        node = self.tree.nodes.new(bl_idname)
+        for name, value in properties.items():
+            setattr(node, name, value)
+        node.label = label
+        if self.frames:
+            self.frame_of[node.name] = self.frames[-1]
+        return node
+
+    def _connect(self, socket, operand):
+        if isinstance(operand, NodeOperand):
+            self.tree.links.new(self._socket(operand, socket.node), socket)
+            return
+        value = constant(operand)
+        if isinstance(value, tuple):
+            socket.default_value = (*value, 1.0) if socket.type == "RGBA" else value
+        elif socket.type in {"VECTOR", "RGBA"}:
+            socket.default_value = (value,) * 3 if socket.type == "VECTOR" else (value, value, value, 1.0)
+        else:
+            socket.default_value = value
+
+    def _socket(self, operand, consumer):
+        """The operand's output socket; a group input has one in every frame that uses it."""
+        if not isinstance(operand.source, str):
+            return operand.source
+        label = self.frame_of.get(consumer.name)
+        node = self._group_inputs.get(label)
+        if node is None:
+            node = self._group_inputs[label] = self.tree.nodes.new("NodeGroupInput")
+            if label:
+                self.frame_of[node.name] = label
+        return node.outputs[operand.source]
+
+    def _key(self, operand):
+        return operand.key() if isinstance(operand, NodeOperand) else constant(operand)
+
+
+def constant(operand):
+    """A number as a float, three numbers as a tuple; a node operand as it is."""
+    if isinstance(operand, (NodeOperand, float, tuple)):
+        return operand
+    values = np.asarray(operand, dtype=float).ravel()
+    if values.size == 1:
+        return float(values[0])
+    if values.size == 3:
+        return tuple(map(float, values))
+    raise TypeError(f"A node takes one number or three, not {values.size}.")
+
+
+def is_vector(operand):
+    """Whether an operand or constant has three components."""
+    return isinstance(operand, tuple) or (isinstance(operand, NodeOperand) and operand.kind == "VECTOR")
+
+
+def simplified(name, operands):
+    """The operand that an operation with a neutral or annihilating constant leaves, or None."""
+    if len(operands) != 2:
+        return None
+    a, b = operands
+    neutral_left = {"add": 0.0, "multiply": 1.0}
+    neutral_right = {"add": 0.0, "subtract": 0.0, "multiply": 1.0, "divide": 1.0, "power": 1.0}
+    if isinstance(b, float) and neutral_right.get(name) == b:
+        return a
+    if isinstance(a, float) and neutral_left.get(name) == a:
+        return b
+    if name == "multiply" and 0.0 in (x for x in operands if isinstance(x, float)):
+        return 0.0
+    return None
+
+
+def kind_of(socket):
+    """FLOAT, VECTOR or SHADER of a socket."""
+    return {"VALUE": "FLOAT", "SHADER": "SHADER"}.get(socket.type, "VECTOR")
+
+
+def socket_of(sockets, identifier):
+    """The socket with this identifier, which unlike its name is not translated or doubled."""
+    for socket in sockets:
+        if socket.identifier == identifier:
+            return socket
+    raise KeyError(f"no socket {identifier!r} among {[s.identifier for s in sockets]}")

@@ -1,0 +1,179 @@
+"""The vocabulary in which every formula of this extension is written once.
+
+A formula is a Python function over operands that know ``+ - * /``, unary minus
+and the functions of this module.  Given numpy arrays it *is* the reference;
+given node operands (:mod:`addon.nodes.builder`) it *builds* the node tree, one
+node an operation.
+
+Shapes with numpy: a number has any shape ``(...)``; a direction or an RGB
+colour has a last axis of 3, ``(..., 3)``.  A number that meets a direction or
+a colour is widened with :func:`widen` first (with nodes that is free).
+"""
+
+import functools
+
+import numpy as np
+
+__all__ = [
+    "sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
+    "minimum", "maximum", "clip", "less", "where",
+    "dot", "cross", "length", "normalize", "vector", "x_of", "y_of", "z_of", "widen",
+    "term",
+]
+
+
+def _nodes(operands):
+    """The node operand among the operands, or None where all are numbers."""
+    for operand in operands:
+        if getattr(operand, "is_node_operand", False):
+            return operand
+    return None
+
+
+def _apply(name, on_arrays, *operands):
+    node = _nodes(operands)
+    if node is not None:
+        return node.builder.apply(name, operands)
+    return on_arrays(*operands)
+
+
+def sqrt(x):
+    """Square root; 0 where x is below 0, as the shader's own square root."""
+    return _apply("sqrt", lambda a: np.sqrt(np.maximum(a, 0.0)), x)
+
+
+def exp(x):
+    """e to the power of x."""
+    return _apply("exp", np.exp, x)
+
+
+def log(x):
+    """Natural logarithm, x above 0."""
+    return _apply("log", np.log, x)
+
+
+def sin(x):
+    """Sine of x in radians."""
+    return _apply("sin", np.sin, x)
+
+
+def cos(x):
+    """Cosine of x in radians."""
+    return _apply("cos", np.cos, x)
+
+
+def tan(x):
+    """Tangent of x in radians."""
+    return _apply("tan", np.tan, x)
+
+
+def arccos(x):
+    """Angle in radians whose cosine is x; x is held to [-1, 1]."""
+    return _apply("arccos", lambda a: np.arccos(np.clip(a, -1.0, 1.0)), x)
+
+
+def power(x, exponent):
+    """x to the power of exponent, for x at or above 0."""
+    return _apply("power", np.power, x, exponent)
+
+
+def absolute(x):
+    """x without its sign."""
+    return _apply("absolute", np.abs, x)
+
+
+def minimum(x, *others):
+    """The smallest of the operands, element by element."""
+    for other in others:
+        x = _apply("minimum", np.minimum, x, other)
+    return x
+
+
+def maximum(x, *others):
+    """The largest of the operands, element by element."""
+    for other in others:
+        x = _apply("maximum", np.maximum, x, other)
+    return x
+
+
+def clip(x, low, high):
+    """x held to [low, high]."""
+    return minimum(maximum(x, low), high)
+
+
+def less(x, y):
+    """1.0 where x < y, else 0.0."""
+    return _apply("less", lambda a, b: np.less(a, b).astype(float), x, y)
+
+
+def where(condition, x, y):
+    """x where the condition is 1.0, y where it is 0.0.
+
+    With nodes both sides are evaluated; neither may be infinite or NaN.
+    """
+    return _apply("where", lambda c, a, b: np.where(np.asarray(c) > 0.5, a, b), condition, x, y)
+
+
+def dot(a, b):
+    """Inner product of two directions, ``(..., 3)`` and ``(..., 3)`` to ``(...)``."""
+    return _apply("dot", lambda p, q: np.sum(np.asarray(p) * np.asarray(q), axis=-1), a, b)
+
+
+def cross(a, b):
+    """Cross product of two directions."""
+    return _apply("cross", np.cross, a, b)
+
+
+def length(a):
+    """Euclidean length of a vector, ``(..., 3)`` to ``(...)``."""
+    return _apply("length", lambda p: np.linalg.norm(p, axis=-1), a)
+
+
+def normalize(a):
+    """The vector with length 1; the zero vector stays zero."""
+    return _apply("normalize", _normalize, a)
+
+
+def _normalize(a):
+    a = np.asarray(a, dtype=float)
+    size = np.linalg.norm(a, axis=-1, keepdims=True)
+    return a / np.where(size > 0.0, size, 1.0)
+
+
+def vector(x, y, z):
+    """A direction or colour from three numbers."""
+    return _apply("vector", lambda *xyz: np.stack(np.broadcast_arrays(*xyz), axis=-1), x, y, z)
+
+
+def x_of(a):
+    """First component, or red."""
+    return _apply("x_of", lambda p: np.asarray(p)[..., 0], a)
+
+
+def y_of(a):
+    """Second component, or green."""
+    return _apply("y_of", lambda p: np.asarray(p)[..., 1], a)
+
+
+def z_of(a):
+    """Third component, or blue."""
+    return _apply("z_of", lambda p: np.asarray(p)[..., 2], a)
+
+
+def widen(x):
+    """A number made ready to meet a direction or a colour: ``(...)`` to ``(..., 1)``."""
+    return _apply("widen", lambda a: np.asarray(a, dtype=float)[..., None], x)
+
+
+def term(symbol):
+    """Name the nodes that a formula builds: they stand in a frame with this label."""
+    def decorate(formula):
+        @functools.wraps(formula)
+        def named(*operands, **options):
+            node = _nodes(list(operands) + list(options.values()))
+            if node is None:
+                return formula(*operands, **options)
+            with node.builder.frame(symbol):
+                return formula(*operands, **options)
+        return named
+    return decorate

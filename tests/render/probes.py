@@ -1,0 +1,210 @@
+"""Scenes that a formula can be compared with, rendered headless, and the statistics of the comparison.
+
+An orthographic camera looks down -Z at a unit sphere, so V = +Z in every pixel
+and N is known from the pixel's place.
+"""
+
+import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import bpy
+import numpy as np
+from scipy import stats
+
+__all__ = ["empty_scene", "add_sphere", "add_sun", "set_world", "render", "render_seeds", "pixel_normals",
+           "sun_directions", "ZTest", "z_test", "save_failure", "VIEW", "TWO_CORES"]
+
+VIEW = np.array([0.0, 0.0, 1.0])
+TWO_CORES = 2
+FAILURES = Path(__file__).resolve().parents[2] / "out" / "failed_probes"
+
+
+def empty_scene(resolution=48, *, samples=1, osl=False, pixel_centres=False, extent=2.0):
+    """A new scene with the orthographic camera; returns it.
+
+    pixel_centres   sample only the middle of each pixel (not for the exact
+                    realisations, whose random numbers need places that differ)
+    extent          width of the view in scene units; the sphere's diameter is 2
+    """
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    camera = bpy.data.cameras.new("Camera")
+    camera.type = "ORTHO"
+    camera.ortho_scale = extent
+    eye = bpy.data.objects.new("Camera", camera)
+    eye.location = (0.0, 0.0, 10.0)
+    scene.collection.objects.link(eye)
+    scene.camera = eye
+    render_settings = scene.render
+    render_settings.engine = "CYCLES"
+    render_settings.resolution_x = render_settings.resolution_y = resolution
+    render_settings.resolution_percentage = 100
+    render_settings.threads_mode = "FIXED"
+    render_settings.threads = TWO_CORES
+    render_settings.use_persistent_data = True
+    cycles = scene.cycles
+    cycles.samples = samples
+    cycles.use_adaptive_sampling = False
+    cycles.use_denoising = False
+    cycles.pixel_filter_type = "BOX"
+    cycles.filter_width = 0.01 if pixel_centres else 1.0
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
+    cycles.blur_glossy = 0.0
+    cycles.caustics_reflective = True
+    cycles.shading_system = osl
+    cycles.max_bounces = 4
+    set_world(scene, 0.0)
+    return scene
+
+
+def add_sphere(material, segments=256):
+    """A smooth unit sphere of this material at the origin."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=segments, ring_count=segments // 2, radius=1.0)
+    sphere = bpy.context.object
+    sphere.data.polygons.foreach_set("use_smooth", np.ones(len(sphere.data.polygons), bool))
+    sphere.data.materials.append(material)
+    return sphere
+
+
+def add_sun(scene, polar_angle, *, strength=1.0, diameter=0.0):
+    """A sun whose direction makes polar_angle (radians) with the view; returns the unit vector L towards it."""
+    light = bpy.data.lights.new("Sun", "SUN")
+    light.energy = strength
+    light.angle = diameter
+    sun = bpy.data.objects.new("Sun", light)
+    sun.rotation_euler = (0.0, polar_angle, 0.0)  # a sun shines along its local -Z
+    scene.collection.objects.link(sun)
+    return np.array([np.sin(polar_angle), 0.0, np.cos(polar_angle)])
+
+
+def set_world(scene, grey):
+    """An even world of this radiance."""
+    world = scene.world or bpy.data.worlds.new("World")
+    scene.world = world
+    if world.node_tree is None:
+        world.use_nodes = True
+    background = next((n for n in world.node_tree.nodes if n.bl_idname == "ShaderNodeBackground"), None)
+    if background is None:
+        background = world.node_tree.nodes.new("ShaderNodeBackground")
+        output = world.node_tree.nodes.new("ShaderNodeOutputWorld")
+        world.node_tree.links.new(background.outputs[0], output.inputs[0])
+    background.inputs["Color"].default_value = (grey, grey, grey, 1.0)
+    background.inputs["Strength"].default_value = 1.0
+    return background
+
+
+def render(scene, seed=0):
+    """The picture as float64, shape (rows from the bottom, columns, 3), in scene-linear units."""
+    scene.cycles.seed = seed
+    settings = scene.render.image_settings
+    settings.file_format = "OPEN_EXR"
+    settings.color_depth = "32"
+    settings.color_mode = "RGB"
+    with tempfile.TemporaryDirectory() as folder:
+        scene.render.filepath = os.path.join(folder, "probe.exr")
+        bpy.ops.render.render(write_still=True)
+        image = bpy.data.images.load(scene.render.filepath)
+        image.colorspace_settings.name = "Non-Color"
+        width, height = image.size
+        pixels = np.empty(width * height * image.channels, np.float32)
+        image.pixels.foreach_get(pixels)
+        channels = image.channels
+        bpy.data.images.remove(image)
+    return pixels.reshape(height, width, channels)[..., :3].astype(float)
+
+
+def render_seeds(scene, count, first=1):
+    """`count` pictures of independent seeds, shape (count, rows, columns, 3)."""
+    return np.stack([render(scene, first + i) for i in range(count)])
+
+
+def pixel_normals(resolution, *, extent=2.0, subsamples=1):
+    """Sphere normals seen by the pixels, (rows, columns, subsamples², 3), and the mask of pixels wholly inside.
+
+    Rows run from the bottom, as pictures do.
+    """
+    step = extent / resolution
+    inside = (np.arange(subsamples) + 0.5) / subsamples
+    at = (-0.5 * extent + step * (np.arange(resolution)[:, None] + inside)).ravel()
+    y, x = np.meshgrid(at, at, indexing="ij")
+    z2 = 1.0 - x * x - y * y
+    normals = np.stack([x, y, np.sqrt(np.maximum(z2, 0.0))], axis=-1)
+    shape = (resolution, subsamples, resolution, subsamples)
+    normals = normals.reshape(*shape, 3).swapaxes(1, 2).reshape(resolution, resolution, -1, 3)
+    corner = (np.abs(np.linspace(-0.5 * extent, 0.5 * extent, resolution + 1)))
+    far = np.maximum(corner[1:], corner[:-1])
+    mask = far[:, None] ** 2 + far[None, :] ** 2 < 0.995
+    return normals, mask
+
+
+def sun_directions(towards, diameter, rings=12):
+    """Directions spread evenly over a sun's disc, (rings * 48, 3), for averaging a formula over it."""
+    if diameter == 0.0:
+        return towards[None, :]
+    sine = np.sin(0.5 * diameter)
+    # Even in projected solid angle: radiance E / (π sin²(δ/2)) over the cone, seen from along the axis.
+    radii = np.concatenate([np.full(48, np.sqrt((r + 0.5) / rings)) for r in range(rings)])
+    angles = np.concatenate([2 * np.pi * (np.arange(48) + 0.5 * (r % 2)) / 48 for r in range(rings)])
+    side = np.array([towards[2], 0.0, -towards[0]])
+    up = np.cross(towards, side)
+    rho = sine * radii
+    return (rho * np.cos(angles))[:, None] * side + (rho * np.sin(angles))[:, None] * up \
+        + np.sqrt(1.0 - rho * rho)[:, None] * towards
+
+
+@dataclass
+class ZTest:
+    """Outcome of comparing the mean of independent pictures with a reference.
+
+    z              (measured − reference) / standard error, for each value compared
+    largest        largest |z|
+    limit          |z| that the largest of so many values passes by chance with probability `alpha`
+    """
+
+    z: np.ndarray
+    largest: float
+    limit: float
+    rms_relative: float
+
+    @property
+    def passed(self):
+        return bool(self.largest <= self.limit)
+
+
+def z_test(pictures, reference, mask=None, *, alpha=0.01, systematic=1e-5):
+    """Compare (seeds, …, channels) with (…, channels) value by value.
+
+    The limit is Student's t for seeds − 1 degrees of freedom with the Šidák
+    correction for the number of values.  `systematic` is the relative error
+    allowed to the reference itself (its quadrature, the sphere's facets).
+    """
+    pictures = np.asarray(pictures, float)
+    reference = np.asarray(reference, float)
+    if mask is not None:
+        pictures, reference = pictures[:, mask], reference[mask]
+    seeds = len(pictures)
+    mean = pictures.mean(axis=0)
+    error = pictures.std(axis=0, ddof=1) / np.sqrt(seeds)
+    error = np.hypot(error, systematic * np.abs(reference) + 1e-12)
+    z = (mean - reference) / error
+    single = 1.0 - (1.0 - alpha) ** (1.0 / z.size)
+    limit = stats.t.isf(0.5 * single, seeds - 1)
+    rms = np.sqrt(np.mean((mean - reference) ** 2) / max(np.mean(reference ** 2), 1e-30))
+    return ZTest(z, float(np.abs(z).max()), float(limit), float(rms))
+
+
+def save_failure(name, reference, picture):
+    """Keep reference, render and difference of a failed comparison side by side; returns the file's path."""
+    FAILURES.mkdir(parents=True, exist_ok=True)
+    pictures = [reference, picture, np.abs(picture - reference)]
+    strip = np.concatenate([np.nan_to_num(p) for p in pictures], axis=1)
+    height, width = strip.shape[:2]
+    image = bpy.data.images.new(name, width, height, float_buffer=True)
+    image.pixels.foreach_set(np.concatenate([strip, np.ones((height, width, 1))], axis=2).astype(np.float32).ravel())
+    image.filepath_raw = str(FAILURES / f"{name}.exr")
+    image.file_format = "OPEN_EXR"
+    image.save()
+    bpy.data.images.remove(image)
+    return FAILURES / f"{name}.exr"
