@@ -1,0 +1,124 @@
+"""From tristimulus values to linear RGB, and the colour difference CIEDE2000."""
+
+import functools
+
+import numpy as np
+
+from ..errors import choice
+from ..spectra import illuminants, observers
+
+__all__ = ["SPACES", "rgb_to_xyz", "spectral_weights", "lab", "delta_e_2000", "BRADFORD"]
+
+D65 = (0.3127, 0.3290)
+SPACES = {
+    "Rec.709": (((0.64, 0.33), (0.30, 0.60), (0.15, 0.06)), D65),
+    "Rec.2020": (((0.708, 0.292), (0.170, 0.797), (0.131, 0.046)), D65),
+    "ACEScg": (((0.713, 0.293), (0.165, 0.830), (0.128, 0.044)), (0.32168, 0.33767)),
+}
+"""Chromaticities x, y of the primaries and of the white of the scene-linear spaces."""
+
+BRADFORD = np.array([[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]])
+
+
+def _xyz_of(x_y):
+    x, y = x_y
+    return np.array([x / y, 1.0, (1.0 - x - y) / y])
+
+
+def adaptation(white_from, white_to):
+    """Matrix ``(3, 3)`` that takes XYZ seen under one white to the other, by Bradford's transform.
+
+    white_from, white_to  XYZ of the whites, ``(3,)``
+
+    >>> adaptation(np.ones(3), np.ones(3)).round(9).tolist()
+    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    """
+    gain = (BRADFORD @ white_to) / (BRADFORD @ white_from)
+    return np.linalg.inv(BRADFORD) @ (gain[:, None] * BRADFORD)
+
+
+@functools.lru_cache(maxsize=None)
+def rgb_to_xyz(space="Rec.709"):
+    """Matrix ``(3, 3)`` from linear RGB to XYZ in which white is that of D65.
+
+    A space with another white, ACEScg, is adapted to D65 by Bradford's
+    transform, as Blender's colour management does: its neutral is D65's white
+    in every space, and one material looks alike in all.
+
+    Raises FacetFilmError for an unknown space.
+
+    >>> rgb_to_xyz("Rec.709")[1].round(4).tolist()
+    [0.2126, 0.7152, 0.0722]
+    """
+    primaries, white = SPACES[choice("space", space, SPACES)]
+    columns = np.stack([_xyz_of(x_y) for x_y in primaries], axis=1)
+    matrix = columns * np.linalg.solve(columns, _xyz_of(white))
+    return matrix if white == D65 else adaptation(_xyz_of(white), _xyz_of(D65)) @ matrix
+
+
+@functools.lru_cache(maxsize=64)
+def spectral_weights(illuminant="D65", observer="1931", space="Rec.709", adapt=False):
+    """What each nm of a reflectance spectrum adds to linear RGB, ``(421, 3)``.
+
+    reflectance ``(…, 421)`` @ weights is RGB, with Y = 1 for a perfect
+    reflector.  adapt: by Bradford's transform from the illuminant's white to
+    D65, so that a perfect reflector is neutral; without, the illuminant tints.
+
+    Raises FacetFilmError for an unknown illuminant, observer or space.
+
+    >>> spectral_weights().sum(axis=0).round(3).tolist()
+    [1.0, 1.0, 1.0]
+    """
+    to_rgb = np.linalg.inv(rgb_to_xyz(space))
+    xyz = observers.colour_matching_functions(observer) * illuminants.power(illuminant)[:, None]
+    xyz /= xyz[:, 1].sum()
+    if adapt:
+        to_rgb = to_rgb @ adaptation(xyz.sum(axis=0), _xyz_of(D65))
+    return xyz @ to_rgb.T
+
+
+def lab(rgb, space="Rec.709"):
+    """CIE 1976 L*a*b* of linear RGB ``(…, 3)`` against the white of the space, ``(…, 3)``.
+
+    >>> lab(np.ones(3)).round(6).tolist()
+    [100.0, 0.0, 0.0]
+    """
+    ratio = rgb @ (rgb_to_xyz(space) / _xyz_of(D65)[:, None]).T
+    t = np.where(ratio > (6 / 29) ** 3, np.cbrt(np.maximum(ratio, 0.0)), ratio * (29 / 6) ** 2 / 3 + 4 / 29)
+    x, y, z = np.moveaxis(t, -1, 0)
+    return np.stack([116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)], axis=-1)
+
+
+def delta_e_2000(lab_1, lab_2):
+    """The colour difference CIEDE2000 of two L*a*b*, ``(…, 3)`` and ``(…, 3)`` to ``(…)``.
+
+    Sharma, Wu and Dalal, "The CIEDE2000 Color-Difference Formula:
+    Implementation Notes, Supplementary Test Data, and Mathematical
+    Observations", Color Research and Application 30(1), 2005; their equation
+    numbers below.
+
+    >>> round(float(delta_e_2000(np.array([50, 2.6772, -79.7751]), np.array([50, 0, -82.7485]))), 4)
+    2.0425
+    """
+    l_1, a_1, b_1 = np.moveaxis(np.asarray(lab_1, float), -1, 0)
+    l_2, a_2, b_2 = np.moveaxis(np.asarray(lab_2, float), -1, 0)
+    c7 = (0.5 * (np.hypot(a_1, b_1) + np.hypot(a_2, b_2))) ** 7
+    g = 1.5 - 0.5 * np.sqrt(c7 / (c7 + 25.0**7))  # (4), with the 1 of (5)
+    a_1, a_2 = a_1 * g, a_2 * g
+    c_1, c_2 = np.hypot(a_1, b_1), np.hypot(a_2, b_2)
+    h_1, h_2 = np.arctan2(b_1, a_1), np.arctan2(b_2, a_2)
+    grey = c_1 * c_2 == 0.0
+    turn = h_2 - h_1
+    turn = np.where(grey, 0.0, turn - 2.0 * np.pi * np.round(turn / (2.0 * np.pi)))  # (10)
+    d_h = 2.0 * np.sqrt(c_1 * c_2) * np.sin(0.5 * turn)  # (11)
+    l, c = 0.5 * (l_1 + l_2), 0.5 * (c_1 + c_2)
+    h = np.where(grey, h_1 + h_2, h_1 + 0.5 * turn)  # (14)
+    t = (1.0 - 0.17 * np.cos(h - np.pi / 6) + 0.24 * np.cos(2.0 * h)
+         + 0.32 * np.cos(3.0 * h + np.pi / 30) - 0.20 * np.cos(4.0 * h - 63.0 * np.pi / 180))  # (15)
+    s_l = 1.0 + 0.015 * (l - 50.0) ** 2 / np.sqrt(20.0 + (l - 50.0) ** 2)  # (18)
+    s_c, s_h = 1.0 + 0.045 * c, 1.0 + 0.015 * c * t  # (19), (20)
+    degrees = np.degrees(h) % 360.0
+    r_c = 2.0 * np.sqrt(c**7 / (c**7 + 25.0**7))  # (17)
+    r_t = -np.sin(np.radians(60.0 * np.exp(-((degrees - 275.0) / 25.0) ** 2))) * r_c  # (16), (21)
+    d_l, d_c, d_h = (l_2 - l_1) / s_l, (c_2 - c_1) / s_c, d_h / s_h
+    return np.sqrt(np.maximum(d_l**2 + d_c**2 + d_h**2 + r_t * d_c * d_h, 0.0))  # (22)

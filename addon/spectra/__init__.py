@@ -1,0 +1,1 @@
+"""Measured data: optical constants, illuminants, observers, presets.  numpy only."""

@@ -1,0 +1,126 @@
+"""Optical constants n and k over wavelength: the record, and the database they are loaded from."""
+
+import dataclasses
+import functools
+
+import numpy as np
+
+from ..errors import FacetFilmError, choice
+from . import dispersion, tables
+
+__all__ = ["OpticalConstants", "load", "dataset_ids", "VISIBLE_NM", "SOURCE"]
+
+VISIBLE_NM = (360.0, 780.0)
+CORE_NM = (400.0, 700.0)
+SOURCE = "refractiveindex.info"
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class OpticalConstants:
+    """n and k of a material at some wavelengths; linear in between, held beyond the ends.
+
+    wavelength_nm  ascending, ``(W,)``
+    n, k           index of refraction and extinction coefficient, ``(W,)``
+    dataset        what identifies it: "shelf/book/page" of the database, or a file's name
+    title          what it is, for people
+    citation       who measured it and where that is published
+    licence        of the data
+    range_nm       wavelengths that were measured, low and high: may exceed what is kept of them
+    has_k          whether k was measured; else it is 0
+    normal_only    whether n stands for a measured normal reflectance, with k = 0
+    """
+
+    wavelength_nm: np.ndarray
+    n: np.ndarray
+    k: np.ndarray
+    dataset: str
+    title: str = ""
+    citation: str = ""
+    licence: str = ""
+    range_nm: tuple = ()
+    has_k: bool = True
+    normal_only: bool = False
+    comment: str = ""
+
+    def __post_init__(self):
+        for name in ("wavelength_nm", "n", "k"):
+            object.__setattr__(self, name, np.asarray(getattr(self, name), float))
+        if not self.range_nm:
+            object.__setattr__(self, "range_nm", (float(self.wavelength_nm[0]), float(self.wavelength_nm[-1])))
+
+    def at(self, wavelength_nm):
+        """(n, k) at these wavelengths, each of their shape: linear interpolation, ends held.
+
+        >>> n, k = load("main/Cu/Johnson").at([550.0, 560.0])
+        >>> k.round(2).tolist()
+        [2.58, 2.62]
+        """
+        return (np.interp(wavelength_nm, self.wavelength_nm, self.n),
+                np.interp(wavelength_nm, self.wavelength_nm, self.k))
+
+    @property
+    def covers_visible(self):
+        """Whether 400 to 700 nm were measured wholly."""
+        return self.range_nm[0] <= CORE_NM[0] and self.range_nm[1] >= CORE_NM[1]
+
+
+def dataset_ids():
+    """The ids of all datasets, "shelf/book/page", in order.
+
+    >>> "main/Au/Babar" in dataset_ids()
+    True
+    """
+    return tuple(_places())
+
+
+@functools.lru_cache(maxsize=64)
+def load(dataset):
+    """The OpticalConstants of a dataset, "shelf/book/page" as refractiveindex.info names it.
+
+    Points within 360 to 780 nm and a neighbour at either side; a dispersion
+    formula is sampled at every nm of its range there.  Raises FacetFilmError
+    with the nearest ids where there is no such dataset.
+
+    >>> load("main/Cu/Johnson").title
+    'Johnson and Christy 1972: n,k 0.188–1.937 µm'
+    """
+    places = _places()
+    about, index, values = tables.read("refractiveindex")
+    if dataset not in places:
+        choice("dataset", dataset, places)
+    _, title, citation, comment, n_model, k_model = index["records"][places[dataset]]
+    n_points = _points(n_model, values)
+    k_points = _points(k_model, values) if k_model else (n_points[0][:1], np.zeros(1))
+    wavelength, n, k = _on_common_wavelengths(n_points, k_points)
+    ranges = [model[-2:] for model in (n_model, k_model) if model]
+    return OpticalConstants(
+        wavelength, n, np.maximum(k, 0.0), dataset, title, index["citations"][citation], about["licence"],
+        (max(low for low, _ in ranges), min(high for _, high in ranges)), bool(k_model), comment=comment)
+
+
+@functools.lru_cache(maxsize=1)
+def _places():
+    _, index, _ = tables.read("refractiveindex")
+    return {record[0]: place for place, record in enumerate(index["records"])}
+
+
+def _points(model, values):
+    """(wavelengths in nm, values) of a stored model."""
+    if model[0] == 0:
+        _, place_w, place_v, count, _, _ = model
+        # The database has at most 7 digits: take what single precision added away.
+        wavelength = np.round(values[place_w:place_w + count].astype(float) * 1000.0, 4)
+        return wavelength, values[place_v:place_v + count].astype(float)
+    formula, place, count, low, high = model
+    low, high = max(low, VISIBLE_NM[0]), min(high, VISIBLE_NM[1])
+    wavelength = np.unique(np.concatenate([[low], np.arange(np.ceil(low), high), [high]]))
+    return wavelength, dispersion.index(formula, values[place:place + count], wavelength / 1000.0)
+
+
+def _on_common_wavelengths(n_points, k_points):
+    """(wavelengths, n, k): linear interpolation between them gives what it gave between each one's own."""
+    (n_wavelength, n), (k_wavelength, k) = n_points, k_points
+    if np.array_equal(n_wavelength, k_wavelength):
+        return n_wavelength, n, k
+    wavelength = np.unique(np.concatenate([n_wavelength, k_wavelength]))
+    return wavelength, np.interp(wavelength, n_wavelength, n), np.interp(wavelength, k_wavelength, k)

@@ -1,0 +1,96 @@
+"""Curated materials: which dataset, how rough, how much of it is diffuse."""
+
+import dataclasses
+import functools
+import json
+import pathlib
+
+from ..errors import FacetFilmError, choice
+
+__all__ = ["Preset", "find", "names", "all_presets"]
+
+FILE = pathlib.Path(__file__).parent / "data" / "presets.json"
+
+
+@dataclasses.dataclass(frozen=True)
+class Preset:
+    """A material with the parameters of Cook and Torrance's model.
+
+    name          what scripts call it, small letters and underscores
+    title         what people call it
+    kind          "metal", "dielectric", "semiconductor", "liquid", … for lists
+    dataset       "shelf/book/page" whose F is the specular part's
+    aliases       other names
+    specular      s, the specular fraction; d = 1 − s
+    slopes        ((rms slope m, weight w), …)
+    distribution  "beckmann" or "gaussian"
+    diffuse       None, or where the diffuse colour comes from: the id of the dataset whose
+                  normal reflectance it is, "specular" where it is that of the specular part,
+                  or three linear Rec.709 numbers
+    note          where the parameters are from
+    estimated     what of it is no measurement, and from what it was guessed; "" where all is measured
+    """
+
+    name: str
+    title: str
+    kind: str
+    dataset: str
+    aliases: tuple = ()
+    specular: float = 1.0
+    slopes: tuple = ((0.2, 1.0),)
+    distribution: str = "beckmann"
+    diffuse: object = None
+    note: str = ""
+    estimated: str = ""
+
+
+@functools.lru_cache(maxsize=1)
+def all_presets():
+    """Every preset by its name, in the order of the file."""
+    records = json.loads(FILE.read_text(encoding="utf-8"))
+    return {record["name"]: _preset(record) for record in records}
+
+
+def names():
+    """The names of all presets.
+
+    >>> {"copper", "gold", "vinyl"} <= set(names())
+    True
+    """
+    return tuple(all_presets())
+
+
+def find(name):
+    """The preset of this name, title or alias; small and capital letters are alike.
+
+    Raises FacetFilmError with the nearest names.
+
+    >>> find("Cu").title
+    'Copper'
+    """
+    if not isinstance(name, str):
+        raise FacetFilmError(f"A preset is called by its name, such as 'copper', not {name!r}.")
+    by_any_name = _by_any_name()
+    plain = _plain(name)
+    if plain not in by_any_name:
+        choice("preset", name, by_any_name)
+    return all_presets()[by_any_name[plain]]
+
+
+@functools.lru_cache(maxsize=1)
+def _by_any_name():
+    found = {name: name for name in names()}
+    for preset in all_presets().values():
+        for other in (preset.title, *preset.aliases):
+            found.setdefault(_plain(other), preset.name)
+    return found
+
+
+def _plain(name):
+    return "_".join(name.strip().lower().replace("-", " ").replace("_", " ").split())
+
+
+def _preset(record):
+    lists = {key: tuple(map(tuple, value)) if key == "slopes" else tuple(value)
+             for key, value in record.items() if isinstance(value, list)}
+    return Preset(**{**record, **lists})

@@ -1,0 +1,118 @@
+"""Baking against colour-science and against plain loops."""
+
+import colour
+import numpy as np
+import pytest
+
+from addon.bake import bake
+from addon.bake.colour import delta_e_2000, lab, rgb_to_xyz
+from addon.bake.curve import knots
+from addon.bake.gamut import map_colours
+from addon.errors import FacetFilmError
+from addon.reflectance import fresnel
+from addon.spectra import optical_constants
+
+SHAPE = colour.SpectralShape(360, 780, 1)
+CMFS = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"].copy().align(SHAPE)
+D65 = colour.SDS_ILLUMINANTS["D65"].copy().align(SHAPE)
+
+
+def independent_rgb(dataset, cos_theta, space="ITU-R BT.709"):
+    """Linear RGB by colour-science, of the conductor equation in complex numbers."""
+    constants = optical_constants.load(dataset)
+    index = (np.interp(SHAPE.wavelengths, constants.wavelength_nm, constants.n)
+             + 1j * np.interp(SHAPE.wavelengths, constants.wavelength_nm, constants.k))
+    inside = np.sqrt(1.0 - (1.0 - cos_theta**2) / index**2)
+    r_s = (cos_theta - index * inside) / (cos_theta + index * inside)
+    r_p = (index * cos_theta - inside) / (index * cos_theta + inside)
+    reflectance = (abs(r_s) ** 2 + abs(r_p) ** 2) / 2.0
+    xyz = colour.colorimetry.msds_to_XYZ_integration(reflectance[None], CMFS, D65, shape=SHAPE)[0] / 100.0
+    return np.linalg.inv(colour.RGB_COLOURSPACES[space].matrix_RGB_to_XYZ) @ xyz
+
+
+@pytest.mark.parametrize("dataset", ["main/Cu/Johnson", "main/Au/Babar", "organic/polyvinil_chloride/Zhang"])
+def test_f0_f82_and_the_curve_against_colour_science(dataset):
+    baked = bake(dataset, gamut="leave")
+    f0, f82 = independent_rgb(dataset, 1.0), independent_rgb(dataset, 1.0 / 7.0)
+    assert np.allclose(baked.f0, f0, atol=1e-5)
+    assert np.allclose(baked.f82_tint, f82 / (f0 + (1 - f0) * (6 / 7) ** 5), atol=1e-5)
+    for cos_theta in np.linspace(0.003, 0.997, 60):
+        from_curve = [np.interp(cos_theta, baked.fresnel.cos_theta, channel) for channel in zip(*baked.fresnel.rgb)]
+        assert np.allclose(from_curve, independent_rgb(dataset, cos_theta), atol=1e-3)
+
+
+def test_the_copper_fit_looks_like_copper():
+    baked = bake("copper")
+    assert baked.conductor.delta_e_2000_max <= 0.2
+    assert not baked.gamut.outside
+    cos_theta = np.cos(np.radians(np.arange(90.0)))[:, None]
+    fitted = fresnel.conductor(cos_theta, np.array(baked.conductor.n), np.array(baked.conductor.k))
+    exact = np.array([independent_rgb("main/Cu/Johnson", c) for c in cos_theta[:, 0]])
+    to_lab = lambda rgb: colour.XYZ_to_Lab(
+        rgb @ colour.RGB_COLOURSPACES["ITU-R BT.709"].matrix_RGB_to_XYZ.T, [0.3127, 0.3290])
+    assert colour.delta_E(to_lab(exact), to_lab(fitted), method="CIE 2000").max() < baked.conductor.delta_e_2000_max + 0.03
+
+
+def test_gold_is_out_of_rec_709_and_says_so():
+    baked = bake("gold")
+    assert baked.gamut.outside and baked.gamut.method == "desaturate" and baked.gamut.largest_change > 0.05
+    assert max(baked.f0) > 1.0
+    assert np.max(baked.fresnel.rgb) <= 1.0 and max(baked.normal_rgb) <= 1.0
+    wide = bake("gold", space="Rec.2020")
+    assert not wide.gamut.outside and wide.conductor.delta_e_2000_max <= 0.2
+
+
+def test_desaturation_keeps_luminance_and_dominant_wavelength():
+    rgb = np.array([[1.2, 0.6, 0.1], [0.5, -0.1, 0.3], [0.2, 0.3, 0.4]])
+    mapped, report = map_colours(rgb)
+    luminance = rgb_to_xyz("Rec.709")[1]
+    assert np.allclose(mapped @ luminance, rgb @ luminance)
+    neutral = (rgb @ luminance)[:, None]
+    for before, after in zip(rgb - neutral, mapped - neutral):
+        assert np.allclose(np.cross(before, after), 0.0, atol=1e-12) and before @ after > 0.0
+    assert np.allclose(mapped[2], rgb[2]) and report.outside
+    assert mapped.min() >= 0.0 and mapped.max() <= 1.0
+
+
+def test_knots_are_enough_and_not_too_many():
+    x = np.linspace(0.0, 1.0, 60)
+    y = np.stack([x**4, np.sqrt(x)], axis=1)
+    kept = knots(x, y, 1e-2)
+    lines = np.stack([np.interp(x, x[kept], channel[kept]) for channel in y.T], axis=1)
+    assert np.abs(lines - y).max() <= 1e-2
+    assert len(knots(x, np.stack([x, 1 - x], axis=1), 1e-9)) == 2
+
+
+def test_ciede2000_is_colour_sciences():
+    rng = np.random.default_rng(1)
+    a = rng.uniform([0, -100, -100], [100, 100, 100], (500, 3))
+    b = a + rng.normal(0, 20, (500, 3))
+    a[:3, 1:] = 0.0
+    assert np.allclose(delta_e_2000(a, b), colour.delta_E(a, b, method="CIE 2000"), atol=1e-9)
+
+
+def test_white_is_white_in_every_space():
+    for space in ("Rec.709", "Rec.2020", "ACEScg"):
+        mirror = optical_constants.OpticalConstants([400.0, 700.0], [1.0, 1.0], [1e7, 1e7], "mirror")
+        assert np.allclose(bake(mirror, space=space).f0, 1.0, atol=5e-4)
+    assert np.allclose(bake(mirror, illuminant="A", adapt=True, gamut="leave").f0, 1.0, atol=5e-4)
+    assert np.allclose(lab(np.ones(3), "ACEScg"), [100.0, 0.0, 0.0], atol=1e-9)
+
+
+@pytest.mark.parametrize("options", [{"space": "sRGB"}, {"illuminant": "D66"}, {"observer": "1965"},
+                                     {"gamut": "cut"}, {"formula": "blender"}])
+def test_unknown_choices_are_clear_errors(options):
+    (name, value), = options.items()
+    with pytest.raises(FacetFilmError, match=f"{name} {value!r}"):
+        bake("copper", **options)
+
+
+def test_the_record_has_the_documented_keys():
+    record = bake("copper").to_dict()
+    assert set(record) >= {"name", "title", "kind", "source", "illuminant", "observer", "space", "f0", "f82_tint",
+                           "conductor", "f82", "fresnel", "gamut"}
+    assert set(record["source"]) == {"dataset", "citation", "licence", "wavelength_range_nm"}
+    assert set(record["conductor"]) == {"n", "k", "formula", "delta_e_2000_max"}
+    assert set(record["f82"]) == {"f0", "tint", "delta_e_2000_max"}
+    assert set(record["fresnel"]) == {"cos_theta", "rgb"}
+    assert set(record["gamut"]) == {"outside", "method", "largest_change"}

