@@ -40,7 +40,7 @@ def build_cie(folder):
     index, columns = {"wavelength_nm": [360, 780, 1], "observers": [], "illuminants": []}, []
     for name, title in OBSERVERS.items():
         index["observers"].append(name)
-        columns.extend(colour.MSDS_CMFS[title].copy().align(shape).values.T)
+        columns.extend(colour.MSDS_CMFS[title].copy().trim(shape).values.T)
     for source_name in colour.SDS_ILLUMINANTS:
         name = re.sub(r"^FL", "F", source_name)
         if ILLUMINANTS.match(name):
