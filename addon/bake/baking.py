@@ -10,7 +10,7 @@ from ..reflectance import fresnel
 from ..spectra import illuminants, observers, optical_constants, presets
 from .colour import rgb_to_xyz, spectral_weights
 from .curve import knots
-from .fit import fit, largest_delta_e
+from .fit import colour_metric, family_of, fit, largest_delta_e
 from .gamut import GamutReport, map_colours
 
 __all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "FORMULAS"]
@@ -18,12 +18,15 @@ __all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "
 FORMULAS = {"exact": fresnel.conductor, "blender-4.5": fresnel.conductor_blender_4_5}
 """What the renderer evaluates for a conductor: exact from Blender 5.0, before that an approximation."""
 
-# cos θ from grazing to normal: dense near grazing, where Fresnel curves bend most.
-COS_THETA = np.unique(np.concatenate([np.linspace(0.0, 1.0, 97) ** 1.5,
-                                      [fresnel.COS_THETA_82], np.cos(np.radians(np.arange(80.0, 90.0)))]))
-AT_82 = int(np.searchsorted(COS_THETA, fresnel.COS_THETA_82))
-COMPARED = COS_THETA >= np.cos(np.radians(89.0)) - 1e-12
+_STEPS = np.concatenate([np.arange(0, 32), np.arange(32, 64, 2), np.arange(64, 128, 4), np.arange(128, 248, 8), [255]])
+COS_THETA = _STEPS / 255.0
+"""Where the curve may have its points, grazing to normal: dense near grazing, where Fresnel
+curves bend most, and where the renderer's table of 256 entries has its own."""
+ANGLES = np.concatenate([COS_THETA, [fresnel.COS_THETA_82, np.cos(np.radians(89.0))]])
+AT_NORMAL, AT_82 = len(COS_THETA) - 1, len(COS_THETA)
+COMPARED = np.flatnonzero(ANGLES >= np.cos(np.radians(89.0)) - 1e-12)
 """The angles over which colour differences count: 0 to 89°."""
+FITTED = COMPARED[::2]
 CURVE_TOLERANCE = 9e-4
 """Of the sampled curve; leaves room for what lies between the samples, within 0.001 in all."""
 
@@ -126,27 +129,28 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     >>> [round(x, 3) for x in bake("copper").f0]
     [0.932, 0.623, 0.522]
     """
-    conductor = FORMULAS[choice("formula", formula, FORMULAS)]
+    choice("formula", formula, FORMULAS)
     choice("space", space, ("Rec.709", "Rec.2020", "ACEScg"))
     record, constants = material(preset)
     weights = spectral_weights(illuminants.canonical(illuminant), str(observer), space, bool(adapt))
     n, k = constants.at(observers.WAVELENGTH_NM)
     measured = reflectance_rgb(n, k, weights, from_normal_reflectance or constants.normal_only)
     mapped, gamut_report = map_colours(measured, gamut, space)
-    conductor_fit = fit_conductor(mapped, n, k, weights, formula, conductor, space)
-    f82_fit = fit_f82(mapped, space)
-    chosen = knots(COS_THETA, mapped, CURVE_TOLERANCE)
+    metric = colour_metric(mapped[FITTED], space)
+    conductor_fit = fit_conductor(mapped, n, k, weights, formula, space, metric)
+    f82_fit = fit_f82(mapped, space, metric)
+    chosen = knots(COS_THETA, mapped[:len(COS_THETA)], CURVE_TOLERANCE)
     return Bake(
         name=record.name, title=record.title, kind=record.kind,
         source=Source(constants.dataset, constants.citation, constants.licence, constants.range_nm),
         illuminant=illuminants.canonical(illuminant), observer=str(observer), space=space,
-        f0=tuple(measured[-1].tolist()),
-        f82_tint=tuple(fresnel.f82_tint_of(measured[-1], measured[AT_82]).tolist()),
+        f0=tuple(measured[AT_NORMAL].tolist()),
+        f82_tint=tuple(fresnel.f82_tint_of(measured[AT_NORMAL], measured[AT_82]).tolist()),
         conductor=conductor_fit, f82=f82_fit,
         fresnel=FresnelCurve(tuple(COS_THETA[chosen].tolist()), tuple(map(tuple, mapped[chosen].tolist()))),
-        gamut=gamut_report, normal_rgb=tuple(mapped[-1].tolist()),
+        gamut=gamut_report, normal_rgb=tuple(mapped[AT_NORMAL].tolist()),
         best="conductor" if conductor_fit.delta_e_2000_max <= f82_fit.delta_e_2000_max else "f82",
-        adapted=bool(adapt), diffuse_rgb=diffuse_colour(record, mapped[-1], weights, gamut, space))
+        adapted=bool(adapt), diffuse_rgb=diffuse_colour(record, mapped[AT_NORMAL], weights, gamut, space))
 
 
 def material(preset):
@@ -165,27 +169,34 @@ def _unnamed(constants):
 
 
 def reflectance_rgb(n, k, weights, from_normal_reflectance=False):
-    """Linear RGB at every angle of COS_THETA, ``(A, 3)``, of n and k at 360 to 780 nm, ``(421,)`` each."""
-    c = COS_THETA[:, None]
+    """Linear RGB at every angle of ANGLES, ``(A, 3)``, of n and k at 360 to 780 nm, ``(421,)`` each."""
+    c = ANGLES[:, None]
     if from_normal_reflectance:
         return fresnel.dielectric_from_normal(c, fresnel.conductor(1.0, n, k)) @ weights
     return fresnel.conductor(c, n, k) @ weights
 
 
-def fit_conductor(rgb, n, k, weights, formula_name, formula, space):
-    """The ConductorFit of colours over angle; n, k and weights of the spectrum say where to start."""
+def fit_conductor(rgb, n, k, weights, formula, space, metric):
+    """The ConductorFit of colours over angle; n, k and weights of the spectrum say where to start.
+
+    The search is over n and k²: reflectance has a slope over k² at k = 0, but none over k.
+    """
+    reflectance = FORMULAS[formula]
     share = np.maximum(weights, 0.0)
     share = share / share.sum(axis=0)
-    parameters, delta_e = fit(formula, COS_THETA[COMPARED], rgb[COMPARED], np.stack([n @ share, k @ share]),
-                              *zip(N_RANGE, K_RANGE), space)
-    return ConductorFit(*map(tuple, parameters.tolist()), formula_name, delta_e)
+    start = np.stack([n @ share, (k @ share) ** 2])
+    family = family_of(lambda c, n, k2: reflectance(c, n, np.sqrt(k2)), ANGLES[FITTED])
+    n, k2 = fit(family, rgb[FITTED], start, (N_RANGE[0], K_RANGE[0] ** 2), (N_RANGE[1], K_RANGE[1] ** 2), metric)
+    delta_e = largest_delta_e(reflectance(ANGLES[COMPARED, None], n, np.sqrt(k2)), rgb[COMPARED], space)
+    return ConductorFit(tuple(n.tolist()), tuple(np.sqrt(k2).tolist()), formula, delta_e)
 
 
-def fit_f82(rgb, space):
+def fit_f82(rgb, space, metric):
     """The F82Fit of colours over angle."""
-    start = np.stack([rgb[-1], fresnel.f82_tint_of(rgb[-1], rgb[AT_82])])
-    parameters, delta_e = fit(fresnel.f82, COS_THETA[COMPARED], rgb[COMPARED], start, (0.0, 0.0), (1.0, 1.0), space)
-    return F82Fit(*map(tuple, parameters.tolist()), delta_e)
+    start = np.stack([rgb[AT_NORMAL], fresnel.f82_tint_of(rgb[AT_NORMAL], rgb[AT_82])])
+    parameters = fit(family_of(fresnel.f82, ANGLES[FITTED]), rgb[FITTED], start, (0.0, 0.0), (1.0, 1.0), metric)
+    fitted = fresnel.f82(ANGLES[COMPARED, None], *parameters)
+    return F82Fit(*map(tuple, parameters.tolist()), largest_delta_e(fitted, rgb[COMPARED], space))
 
 
 def diffuse_colour(record, specular_rgb, weights, gamut, space):

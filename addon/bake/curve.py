@@ -1,5 +1,7 @@
 """A curve by as few straight pieces as keep it within a tolerance."""
 
+import functools
+
 import numpy as np
 
 __all__ = ["knots"]
@@ -24,9 +26,10 @@ def knots(x, y, tolerance=1e-3):
     frontier[0] = True
     seen = frontier.copy()
     while not seen[last]:  # breadth first: as many steps as there are pieces
-        found = reach & frontier[:, None]
+        sources = np.flatnonzero(frontier)
+        found = reach[sources]
         new = found.any(axis=0) & ~seen
-        before[new] = found[:, new].argmax(axis=0)
+        before[new] = sources[found[:, new].argmax(axis=0)]
         seen |= new
         frontier = new
     path = [last]
@@ -41,14 +44,17 @@ def _reachable(x, y, tolerance):
     Every sample between i and j leaves the line from i a range of slopes; the
     slope to j has to be in the ranges of all of them.
     """
-    x, y = x[:, None, None], y[:, None, :]
-    run = np.swapaxes(x, 0, 1) - x
+    per_run, later = _per_run(tuple(x))
+    slope = (y.T[:, None, :] - y.T[:, :, None]) * per_run
+    slack = np.where(later, tolerance * per_run, np.inf)
+    inside = ((slope >= np.maximum.accumulate(slope - slack, axis=2))
+              & (slope <= np.minimum.accumulate(slope + slack, axis=2)))
+    return inside.all(axis=0) & later
+
+
+@functools.lru_cache(maxsize=4)
+def _per_run(x):
+    """1/(xj − xi) and whether j > i, ``(N, N)`` each; 0 where it is not."""
+    run = np.subtract.outer(x, x).T
     later = run > 0.0
-    run = np.where(later, run, 1.0)
-    rise = np.swapaxes(y, 0, 1) - y
-    lowest = np.where(later, (rise - tolerance) / run, -np.inf)
-    highest = np.where(later, (rise + tolerance) / run, np.inf)
-    slope = rise / run
-    inside = ((slope >= np.maximum.accumulate(lowest, axis=1))
-              & (slope <= np.minimum.accumulate(highest, axis=1)))
-    return inside.all(axis=2) & later[..., 0]
+    return np.where(later, 1.0 / np.where(later, run, 1.0), 0.0), later

@@ -4,55 +4,79 @@ import numpy as np
 
 from .colour import delta_e_2000, lab
 
-__all__ = ["fit", "largest_delta_e", "colour_metric"]
+__all__ = ["fit", "family_of", "largest_delta_e", "colour_metric"]
 
-STEP = 1e-5
-ROUNDS = 30
+STEP = 1e-4
+ROUNDS = 10
+GOOD_ENOUGH = 0.005
+"""CIEDE2000 that no eye sees: there the search ends."""
 
 
-def fit(formula, cos_theta, target, start, low, high, space="Rec.709"):
-    """(parameters ``(2, 3)``, largest CIEDE2000) of the formula that comes closest to the target.
+def fit(family, target, start, low, high, metric):
+    """The parameters ``(2, 3)`` of a family of curves that come closest to the target.
 
-    formula    f(cos_theta, p, q): reflectance, element by element
-    cos_theta  ``(A,)``
+    family     p ``(2, 3)`` to the curve ``(A, 3)`` and its slopes ``(A, 3, 2)``
     target     linear RGB over angle, ``(A, 3)``
     start      two parameters a channel, ``(2, 3)``
     low, high  the bounds of each parameter, ``(2,)``
+    metric     what a difference counts at each angle: colour_metric(target)
 
-    Levenberg and Marquardt's method on all channels at once.  Errors are
-    measured by the metric that CIEDE2000 has at the target's colours; angles
-    where the fit is worst gain weight from round to round (Lawson's method),
-    so that it is the largest difference that becomes small.
+    Levenberg and Marquardt's method on all channels at once.  Angles where the
+    fit is worse than on average gain weight from round to round (Lawson's
+    method), so that it is the largest difference that becomes small.
     """
-    metric = colour_metric(target, space)
-    low, high = np.asarray(low, float)[:, None], np.asarray(high, float)[:, None]
-    c = cos_theta[:, None]
-    parameters = np.clip(start, low, high)
-    weights = np.full(len(c), 1.0 / len(c))
-    damping = 1e-3
-    best, best_size = parameters, np.inf
-    error = target - formula(c, *parameters)
-    squares = _squares(metric, error)
+    root = np.linalg.cholesky(metric)  # error·metric·error is the sum of squares of error·root
+    spread = np.swapaxes(root, 1, 2)[..., None]
+    low, high = np.array(low)[:, None], np.array(high)[:, None]
+    weights = np.full(len(target), 1.0 / len(target))
+    parameters = trial = best = np.clip(start, low, high)
+    damping, mean, best_worst = 1e-3, np.inf, np.inf
     for _ in range(ROUNDS):
-        if squares.max() < best_size:
-            best, best_size = parameters, squares.max()
-        step, slope = _step(formula, c, parameters, error, metric, weights, damping, low, high)
-        trial = np.clip(parameters + step, low, high)
-        trial_error = target - formula(c, *trial)
-        trial_squares = _squares(metric, trial_error)
-        if weights @ trial_squares <= weights @ squares:
-            settled = weights @ (squares - trial_squares) < 1e-3 * (weights @ squares)
-            parameters, error, squares = trial, trial_error, trial_squares
-            damping = max(damping * 0.2, 1e-9)
-            if settled:
-                weights = _reweighted(weights, squares)
-        else:
-            damping *= 8.0
-            if damping > 1e6:
+        curve, slopes = family(trial)
+        error = ((target - curve)[:, None, :] @ root)[:, 0, :]
+        squares = (error * error).sum(axis=1)
+        worst = squares.max()
+        if worst < best_worst:
+            best, best_worst = trial, worst
+            if worst < GOOD_ENOUGH**2:
                 break
-    if squares.max() < best_size:
-        best = parameters
-    return best, largest_delta_e(formula(c, *best), target, space)
+        if weights @ squares <= mean:
+            damping *= 0.1
+            parameters = trial
+            weights = weights * np.sqrt(squares)
+            weights /= weights.sum()
+            mean = weights @ squares
+            jacobian = (spread * slopes[:, None]).reshape(-1, 6)
+            weighted = (jacobian * np.repeat(weights, 3)[:, None]).T
+            gradient, hessian = weighted @ error.ravel(), weighted @ jacobian
+            at_low, at_high = (parameters <= low).T.ravel(), (parameters >= high).T.ravel()
+            moves = ~(at_low & (gradient < 0.0) | at_high & (gradient > 0.0))  # the others push against a bound
+        else:
+            damping *= 10.0
+        trial = np.clip(parameters + _step(gradient, hessian, damping, moves), low, high)
+    return best
+
+
+def _step(gradient, hessian, damping, moves):
+    """The damped Gauss-Newton step ``(2, 3)`` of the parameters that move."""
+    matrix = hessian * (moves[:, None] & moves)
+    matrix.flat[::7] = matrix.flat[::7] * (1.0 + damping) + np.where(moves, 1e-12, 1.0)
+    return np.linalg.solve(matrix, gradient * moves).reshape(3, 2).T
+
+
+def family_of(formula, cos_theta):
+    """The curves of a formula f(cos_theta, p, q) over its two parameters, for :func:`fit`.
+
+    cos_theta  ``(A,)``
+    """
+    c = cos_theta[:, None]
+    moved = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])[:, :, None, None] * STEP  # p or q, one at a time
+
+    def family(parameters):
+        p, q = parameters[:, None, None, :] + moved
+        curves = formula(c, p, q)
+        return curves[0], (curves[1:] - curves[0]).transpose(1, 2, 0) / STEP
+    return family
 
 
 def largest_delta_e(rgb, target, space="Rec.709"):
@@ -71,38 +95,9 @@ def colour_metric(rgb, space="Rec.709"):
     """
     pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]
     eye = np.eye(3)
-    changes = STEP * np.array([eye[i] if i == j else eye[i] + eye[j] for i, j in pairs])
-    squares = (delta_e_2000(lab(rgb, space), lab(rgb + changes[:, None], space)) / STEP) ** 2
+    changes = 1e-5 * np.array([eye[i] if i == j else eye[i] + eye[j] for i, j in pairs])
+    squares = (delta_e_2000(lab(rgb, space), lab(rgb + changes[:, None], space)) / 1e-5) ** 2
     metric = np.empty((len(rgb), 3, 3))
     for (i, j), square in zip(pairs, squares):
-        off = square if i == j else 0.5 * (square - squares[i] - squares[j])
-        metric[:, i, j] = metric[:, j, i] = off
+        metric[:, i, j] = metric[:, j, i] = square if i == j else 0.5 * (square - squares[i] - squares[j])
     return metric
-
-
-def _squares(metric, error):
-    return np.einsum("ac,acd,ad->a", error, metric, error)
-
-
-def _step(formula, c, parameters, error, metric, weights, damping, low, high):
-    """The damped Gauss-Newton step ``(2, 3)``; parameters that push against a bound rest."""
-    h = STEP * np.maximum(np.abs(parameters), 1e-2)
-    h = np.where(parameters + h > high, -h, h)
-    fitted = formula(c, *parameters)
-    slopes = np.stack([(formula(c, parameters[0] + h[0], parameters[1]) - fitted) / h[0],
-                       (formula(c, parameters[0], parameters[1] + h[1]) - fitted) / h[1]], axis=1)  # a, p, c
-    weighted = metric * weights[:, None, None]
-    gradient = np.einsum("apc,acd,ad->pc", slopes, weighted, error).ravel()
-    hessian = np.einsum("apc,acd,aqd->pcqd", slopes, weighted, slopes).reshape(6, 6)
-    at_bound = ((parameters <= low).ravel() & (gradient < 0.0)) | ((parameters >= high).ravel() & (gradient > 0.0))
-    gradient = np.where(at_bound, 0.0, gradient)
-    free = ~at_bound
-    hessian = hessian * (free[:, None] & free[None, :])
-    diagonal = np.maximum(np.diag(hessian), 1e-12)
-    step = np.linalg.solve(hessian + np.diag(damping * diagonal + at_bound), gradient)
-    return step.reshape(2, 3), slopes
-
-
-def _reweighted(weights, squares):
-    grown = weights * np.sqrt(np.maximum(squares, 1e-12))
-    return grown / grown.sum()

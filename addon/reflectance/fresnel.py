@@ -46,10 +46,11 @@ def conductor(cos_theta, n, k):
     size = sqrt(real * real + 4.0 * nk * nk)
     u = sqrt(0.5 * (size + real))
     v2 = maximum(0.5 * (size - real), 0.0)
-    r_s = ((cos_theta - u) * (cos_theta - u) + v2) / maximum((cos_theta + u) * (cos_theta + u) + v2, SMALLEST)
-    cu = cos_theta * u
-    c2v2 = c2 * v2
-    r_p_over_r_s = ((cu - s2) * (cu - s2) + c2v2) / maximum((cu + s2) * (cu + s2) + c2v2, SMALLEST)
+    minus, plus = cos_theta - u, cos_theta + u
+    r_s = (minus * minus + v2) / maximum(plus * plus + v2, SMALLEST)
+    cu, c2v2 = cos_theta * u, c2 * v2
+    minus, plus = cu - s2, cu + s2
+    r_p_over_r_s = (minus * minus + c2v2) / maximum(plus * plus + c2v2, SMALLEST)
     return 0.5 * r_s * (1.0 + r_p_over_r_s)
 
 
