@@ -1,0 +1,78 @@
+"""Directions about a surface: half vectors, mirrored directions and the frame that a direction is given in.
+
+Unit vectors ``(..., 3)``: N surface normal, V to the viewer, L to the light,
+H = (V + L)/|V + L|.
+"""
+
+from types import SimpleNamespace
+
+from ..operands import absolute, cos, cross, dot, less, normalize, sin, term, vector, where, widen, x_of
+
+__all__ = ["PI", "direction", "half_vector", "mirrored", "cosines", "frame_about", "in_frame"]
+
+PI = 3.141592653589793
+
+
+def direction(theta, phi):
+    """The direction at the angle theta from the z axis and phi about it, both in radians; ``(..., 3)``.
+
+    >>> direction(0.0, 0.0).tolist()
+    [0.0, 0.0, 1.0]
+    """
+    return vector(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta))
+
+
+def half_vector(v, l):
+    """H, half-way between V and L: the normal of the facet that mirrors one to the other.
+
+    >>> half_vector(direction(0.3, 0.0), direction(0.5, 0.0)).round(6).tolist() \\
+    ...     == direction(0.4, 0.0).round(6).tolist()
+    True
+    """
+    return normalize(v + l)
+
+
+def mirrored(v, h):
+    """L = 2 (V·H) H − V, the direction that the facet with normal H mirrors V to.
+
+    >>> mirrored(direction(0.3, 0.0), direction(0.4, 0.0)).round(6).tolist() \\
+    ...     == direction(0.5, 0.0).round(6).tolist()
+    True
+    """
+    return widen(2.0 * dot(v, h)) * h - v
+
+
+def cosines(n, v, l):
+    """N·V, N·L, N·H and V·H by name (n_v, n_l, n_h, v_h), each ``(...)``.
+
+    >>> c = cosines(direction(0.0, 0.0), direction(0.3, 0.0), direction(0.3, PI))
+    >>> round(float(c.n_h), 6), round(float(c.v_h - c.n_v), 6)
+    (1.0, 0.0)
+    """
+    h = half_vector(v, l)
+    return SimpleNamespace(n_v=dot(n, v), n_l=dot(n, l), n_h=dot(n, h), v_h=dot(v, h))
+
+
+@term("Frame")
+def frame_about(n):
+    """Two unit tangents that make a right-handed frame (t, b, N) with the normal.
+
+    The tangent is square to the axis, x or z, that N is farther from.
+
+    >>> t, b = frame_about(direction(0.0, 0.0))
+    >>> (t.tolist(), b.tolist())
+    ([0.0, 1.0, 0.0], [-1.0, 0.0, 0.0])
+    """
+    axis = where(widen(less(absolute(x_of(n)), 0.7)), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+    t = normalize(cross(n, axis))
+    return t, cross(n, t)
+
+
+def in_frame(x, y, z, t, b, n):
+    """The direction with components x, y, z ``(...)`` along the frame (t, b, N).
+
+    >>> in_frame(0.0, 0.0, 1.0, *frame_about(direction(0.4, 0.0)), direction(0.4, 0.0)).round(6).tolist() \\
+    ...     == direction(0.4, 0.0).round(6).tolist()
+    True
+    """
+    return widen(x) * t + widen(y) * b + widen(z) * n
