@@ -18,7 +18,7 @@ __all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "
 FORMULAS = {"exact": fresnel.conductor, "blender-4.5": fresnel.conductor_blender_4_5}
 """What the renderer evaluates for a conductor: exact from Blender 5.0, before that an approximation."""
 
-_STEPS = np.concatenate([np.arange(0, 32), np.arange(32, 64, 2), np.arange(64, 128, 4), np.arange(128, 248, 8), [255]])
+_STEPS = np.concatenate([np.arange(0, 24), np.arange(24, 48, 2), np.arange(48, 96, 4), np.arange(96, 255, 8), [255]])
 COS_THETA = _STEPS / 255.0
 """Where the curve may have its points, grazing to normal: dense near grazing, where Fresnel
 curves bend most, and where the renderer's table of 256 entries has its own."""

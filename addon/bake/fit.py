@@ -7,7 +7,8 @@ from .colour import delta_e_2000, lab
 __all__ = ["fit", "family_of", "largest_delta_e", "colour_metric"]
 
 STEP = 1e-4
-ROUNDS = 10
+ROUNDS, PATIENCE = 16, 4
+"""Of how many rounds the search is at most, and how many that better nothing it bears."""
 GOOD_ENOUGH = 0.005
 """CIEDE2000 that no eye sees: there the search ends."""
 
@@ -30,17 +31,19 @@ def fit(family, target, start, low, high, metric):
     low, high = np.array(low)[:, None], np.array(high)[:, None]
     weights = np.full(len(target), 1.0 / len(target))
     parameters = trial = best = np.clip(start, low, high)
-    damping, mean, best_worst = 1e-3, np.inf, np.inf
+    damping, mean, best_worst, idle = 1e-3, np.inf, np.inf, 0
     for _ in range(ROUNDS):
         curve, slopes = family(trial)
         error = ((target - curve)[:, None, :] @ root)[:, 0, :]
         squares = (error * error).sum(axis=1)
         worst = squares.max()
+        accepted = weights @ squares <= mean
+        idle = 0 if worst < 0.98 * best_worst else idle + accepted
         if worst < best_worst:
             best, best_worst = trial, worst
-            if worst < GOOD_ENOUGH**2:
-                break
-        if weights @ squares <= mean:
+        if worst < GOOD_ENOUGH**2 or idle == PATIENCE:
+            break
+        if accepted:
             damping *= 0.1
             parameters = trial
             weights = weights * np.sqrt(squares)
