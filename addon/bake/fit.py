@@ -38,7 +38,7 @@ def fit(family, target, start, low, high, metric):
         squares = (error * error).sum(axis=1)
         worst = squares.max()
         accepted = weights @ squares <= mean
-        idle = 0 if worst < 0.98 * best_worst else idle + accepted
+        idle = 0 if worst < 0.9 * best_worst else idle + accepted
         if worst < best_worst:
             best, best_worst = trial, worst
         if worst < GOOD_ENOUGH**2 or idle == PATIENCE:
