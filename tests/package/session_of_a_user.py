@@ -6,7 +6,9 @@ Started by test_installed.py; REPORT is written as JSON and says what was seen a
 """
 
 import json
+import os
 import sys
+import traceback
 from pathlib import Path
 
 import bpy
@@ -54,8 +56,8 @@ def surface_of(material):
     return {"node": node.bl_idname, "values": values, "inner": inner}
 
 
-def main():
-    report = {}
+def go_through(report):
+    """Every step, noting what is seen as it goes."""
     before = traces()
     bpy.ops.extensions.package_install_files(filepath=ZIP, repo="user_default", enable_on_install=True)
     report["enabled"] = MODULE in bpy.context.preferences.addons and MODULE in sys.modules
@@ -83,7 +85,17 @@ def main():
     bpy.ops.extensions.package_uninstall(repo_index=repositories.index("user_default"), pkg_id="facet_film")
     report["left_when_removed"] = sorted(traces() ^ before)
     report["folder_left"] = installed_folder().exists()
+
+
+def main():
+    report = {"failure": ""}
+    try:
+        go_through(report)
+    except Exception:
+        report["failure"] = traceback.format_exc()
     Path(REPORT).write_text(json.dumps(report), encoding="utf-8")
+    # Blender can hang at its exit over what an add-on leaves behind, and the report says more.
+    os._exit(0)
 
 
 main()

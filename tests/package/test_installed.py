@@ -24,6 +24,10 @@ def report(package, tmp_path_factory):
     return json.loads(written.read_text(encoding="utf-8"))
 
 
+def test_the_session_goes_through(report):
+    assert not report["failure"], report["failure"]
+
+
 def test_it_installs_and_enables(report, package):
     assert report["enabled"]
     with zipfile.ZipFile(package) as packed:
