@@ -10,7 +10,7 @@ from ..spectra import illuminants, names, observers, optical_constants, presets
 from .colour import SPACES, rgb_to_xyz, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
-__all__ = ["Viewing", "Reflected", "reflect", "material", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED"]
+__all__ = ["Viewing", "Reflected", "reflect", "mirror_spectra", "material", "diffuse_colour", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED"]
 
 _STEPS = np.concatenate([np.arange(0, 24), np.arange(24, 48, 2), np.arange(48, 96, 4), np.arange(96, 255, 8), [255]])
 COS_THETA = _STEPS / 255.0
@@ -103,14 +103,22 @@ def reflect(what, viewing=Viewing(), from_normal_reflectance=False):
     """
     preset, constants = material(what)
     n, k = constants.at(observers.WAVELENGTH_NM)
-    cos_theta = ANGLES[:, None]
-    if from_normal_reflectance or constants.normal_only:
-        spectra = fresnel.dielectric_from_normal(cos_theta, fresnel.conductor(1.0, n, k))
-    else:
-        spectra = fresnel.conductor(cos_theta, n, k)
-    colours = spectra @ viewing.weights
+    from_normal_reflectance = from_normal_reflectance or constants.normal_only
+    colours = mirror_spectra(ANGLES, n, k, from_normal_reflectance) @ viewing.weights
     mapped, report = viewing.map(colours)
     return Reflected(preset, constants, viewing, n, k, colours, mapped, report)
+
+
+def mirror_spectra(cos_theta, n, k, from_normal_reflectance=False):
+    """F(λ,θ), ``(A, W)``, at cos θ ``(A,)`` of n and k ``(W,)``; see :func:`reflect`.
+
+    >>> mirror_spectra(np.ones(1), np.array([1.5]), np.zeros(1)).round(6).tolist()
+    [[0.04]]
+    """
+    c = cos_theta[:, None]
+    if from_normal_reflectance:
+        return fresnel.dielectric_from_normal(c, fresnel.conductor(1.0, n, k))
+    return fresnel.conductor(c, n, k)
 
 
 def material(what):

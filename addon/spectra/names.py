@@ -120,7 +120,8 @@ def material_names(dataset):
         found = common_names(page)
     elif shelf == "specs":
         maker, _, use = book.partition("-")
-        found = [f"{maker} {page} {use} {'filter glass' if use == 'filter' else 'glass'}".replace("filter filter", "filter")]
+        sort = "index liquid" if maker == "Cargille" else "glass" if use == "misc" else f"{use} glass"
+        found = [f"{maker} {page.replace('_', ' ').replace(maker + '-', '')} {sort}"]
     elif shelf == "popular_glass":
         found = [f"{page} {book} glass"]
     else:
@@ -195,7 +196,7 @@ def _binary(symbols, counts):
 
 
 def kind_of(dataset, k):
-    """What sort of material: "metal", "glass", "organic", "gas", or by its k "conductor", "absorber", "dielectric".
+    """What sort of material: "metal", "glass", "liquid", "organic", "gas", or by its k "conductor", "absorber", "dielectric".
 
     dataset  "shelf/book/page"
     k        mean extinction coefficient in the visible
@@ -208,6 +209,8 @@ def kind_of(dataset, k):
         return "metal"
     if book in GASES:
         return "gas"
+    if book == "Cargille":
+        return "liquid"
     if shelf in {"specs", "glass", "popular_glass"} or book == "glass":
         return "glass"
     if shelf == "organic":

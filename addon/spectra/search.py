@@ -104,7 +104,7 @@ def _records():
 def _preset(preset, record, index):
     entry = Found(preset.name, preset.title, preset.kind, preset.dataset, True, _covers(record))
     named = _text(preset.name, preset.title, preset.kind, *preset.aliases,
-                  *names.material_names(preset.dataset), preset.dataset.split("/")[1])
+                  *names.material_names(preset.dataset), *preset.dataset.split("/")[1:])
     return entry, named, named + _text(record[1], preset.note) + _text(index["citations"][record[2]])
 
 

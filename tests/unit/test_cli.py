@@ -32,7 +32,38 @@ def test_bake_as_json(capsys):
     assert record["space"] == "Rec.2020" and record["illuminant"] == "D50"
 
 
-@pytest.mark.parametrize("words", [["bake", "coper"], ["bake", "copper", "--gamut", "cut"], ["bake", "a/b/c"]])
+def test_search(capsys):
+    assert main(["search", "gold", "babar"]) == 0
+    assert "main/Au/Babar" in capsys.readouterr().out
+    assert main(["search", "acetone", "rheims", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)[0]
+    assert found["id"] == "organic/acetone/Rheims" and found["covers_visible"] is False
+
+
+def test_check(capsys):
+    assert main(["check", "--n", "0.2", "1", "1.3", "--k", "3.2", "2.6", "2.4", "--against", "copper"]) == 0
+    assert "CIEDE2000" in capsys.readouterr().out
+    assert main(["check", "--f0", "1", "0.78", "0.34", "--against", "gold", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["dataset"] == "main/Au/Babar"
+    assert main(["check", "main/Au/Johnson", "--against", "gold"]) == 0
+    assert "Babar" in capsys.readouterr().out
+
+
+def test_spread_and_ways(capsys):
+    assert main(["spread", "gold"]) == 0
+    assert "farthest apart" in capsys.readouterr().out
+    assert main(["spread", "copper", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["reference"] == "main/Cu/Johnson"
+    assert main(["ways", "copper"]) == 0
+    assert "(1982)" in capsys.readouterr().out
+    assert main(["ways", "copper", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["ways"][0]["delta_e_2000_max"] == 0.0
+
+
+@pytest.mark.parametrize("words", [
+    ["bake", "coper"], ["bake", "copper", "--gamut", "cut"], ["bake", "a/b/c"], ["search", "xyzzyq"],
+    ["search", "gold", "--limit", "0"], ["check", "--against", "gold"], ["spread", "xyzzyq"], ["ways", "coper"],
+    ["check", "--n", "0", "1", "1", "--k", "1", "1", "1", "--against", "gold"]])
 def test_wrong_input_is_one_sentence_and_status_2(words, capsys):
     assert main(words) == 2
     shown = capsys.readouterr()
