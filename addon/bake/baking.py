@@ -65,9 +65,9 @@ class Bake:
     """What a material is for a renderer.
 
     f0 and f82_tint are colorimetric, before colours are brought into the
-    gamut; conductor, f82, fresnel and normal_rgb are after.  best names the
-    closer one of "conductor" and "f82".  diffuse_rgb is the diffuse colour, None
-    where the material has none.
+    gamut; conductor, f82, fresnel, normal_rgb (the colour at normal incidence)
+    and diffuse_rgb (π·Rd) are after.  best names the closer one of "conductor"
+    and "f82".  specular, slopes and distribution are the preset's.
     """
 
     name: str
@@ -84,9 +84,12 @@ class Bake:
     fresnel: FresnelCurve
     gamut: GamutReport
     normal_rgb: tuple
+    diffuse_rgb: tuple
     best: str
-    adapted: bool = False
-    diffuse_rgb: tuple = None
+    adapted: bool
+    specular: float
+    slopes: tuple
+    distribution: str
 
     def to_dict(self):
         """The same as dicts, lists, numbers and text, ready for JSON.
@@ -95,6 +98,16 @@ class Bake:
         ['largest_change', 'method', 'outside']
         """
         return _plain(dataclasses.asdict(self))
+
+    def cook_torrance_parameters(self):
+        """Keywords of the Cook-Torrance material: slopes, distribution, specular, n, k and diffuse.
+
+        >>> bake("figure_6a").cook_torrance_parameters()["specular"]
+        0.1
+        """
+        return {"slopes": self.slopes, "distribution": self.distribution, "specular": self.specular,
+                "n": self.conductor.n, "k": self.conductor.k,
+                "diffuse": tuple(min(max(channel, 0.0), 1.0) for channel in self.diffuse_rgb)}
 
 
 def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut="desaturate",
@@ -119,20 +132,20 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     conductor = fit_conductor(reflected, formula, metric)
     f82 = fit_f82(reflected, metric)
     chosen = knots(COS_THETA, mapped[:len(COS_THETA)], CURVE_TOLERANCE)
-    diffuse = diffuse_colour(reflected)
-    constants = reflected.constants
+    constants, record, viewing = reflected.constants, reflected.preset, reflected.viewing
     return Bake(
-        name=reflected.preset.name, title=reflected.preset.title, kind=reflected.preset.kind,
+        name=record.name, title=record.title, kind=record.kind,
         source=Source(constants.dataset, constants.citation, constants.licence, constants.range_nm,
                       constants.covers_visible),
-        illuminant=reflected.viewing.illuminant, observer=reflected.viewing.observer, space=space,
+        illuminant=viewing.illuminant, observer=viewing.observer, space=space,
         f0=tuple(colours[AT_NORMAL].tolist()),
         f82_tint=tuple(fresnel.f82_tint_of(colours[AT_NORMAL], colours[AT_82]).tolist()),
         conductor=conductor, f82=f82,
         fresnel=FresnelCurve(tuple(COS_THETA[chosen].tolist()), tuple(map(tuple, mapped[chosen].tolist()))),
         gamut=reflected.gamut, normal_rgb=tuple(mapped[AT_NORMAL].tolist()),
+        diffuse_rgb=tuple(diffuse_colour(reflected).tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
-        adapted=reflected.viewing.adapt, diffuse_rgb=None if diffuse is None else tuple(diffuse.tolist()))
+        adapted=viewing.adapt, specular=record.specular, slopes=record.slopes, distribution=record.distribution)
 
 
 def fit_conductor(reflected, formula, metric):

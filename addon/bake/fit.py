@@ -9,7 +9,7 @@ __all__ = ["fit", "family_of", "largest_delta_e", "colour_metric"]
 STEP = 1e-4
 ROUNDS, PATIENCE = 16, 4
 """Of how many rounds the search is at most, and how many that better nothing it bears."""
-GOOD_ENOUGH = 0.005
+GOOD_ENOUGH = 0.02
 """CIEDE2000 that no eye sees: there the search ends."""
 
 

@@ -87,10 +87,10 @@ class Reflected:
     gamut: GamutReport
 
 
-def reflect(what, viewing=Viewing(), from_normal_reflectance=False):
+def reflect(what, viewing=None, from_normal_reflectance=False):
     """The Reflected of a preset's name, a dataset's id or OpticalConstants.
 
-    viewing                  a Viewing
+    viewing                  a Viewing; by default Viewing()
     from_normal_reflectance  the paper's way where only the normal reflectance
                              is known: k = 0 and an effective n a wavelength
 
@@ -101,6 +101,7 @@ def reflect(what, viewing=Viewing(), from_normal_reflectance=False):
     >>> reflect("copper").colours[AT_NORMAL].round(3).tolist()
     [0.932, 0.623, 0.522]
     """
+    viewing = viewing or Viewing()
     preset, constants = material(what)
     n, k = constants.at(observers.WAVELENGTH_NM)
     from_normal_reflectance = from_normal_reflectance or constants.normal_only
@@ -147,7 +148,7 @@ def _unnamed(constants):
 
 
 def diffuse_colour(reflected):
-    """π·Rd of a material's preset, ``(3,)``, or None: its own numbers, or a normal reflectance.
+    """π·Rd of a material's preset, ``(3,)``: its own numbers, or a normal reflectance.
 
     Cook and Torrance 1982, section "The reflectance model".
 
@@ -155,8 +156,6 @@ def diffuse_colour(reflected):
     [0.932, 0.623, 0.522]
     """
     source, viewing = reflected.preset.diffuse, reflected.viewing
-    if source is None:
-        return None
     if source == "specular":
         return reflected.mapped[AT_NORMAL]
     if isinstance(source, str):

@@ -24,9 +24,9 @@ class Preset:
     specular      s, the specular fraction; d = 1 − s
     slopes        ((rms slope m, weight w), …)
     distribution  "beckmann" or "gaussian"
-    diffuse       None, or where the diffuse colour comes from: the id of the dataset whose
-                  normal reflectance it is, "specular" where it is that of the specular part,
-                  or three linear Rec.709 numbers
+    diffuse       where the diffuse colour comes from: the id of the dataset whose normal
+                  reflectance it is, three linear Rec.709 numbers, or "specular": the normal
+                  reflectance of the specular part
     note          where the parameters are from
     estimated     what of it is no measurement, and from what it was guessed; "" where all is measured
     """
@@ -39,7 +39,7 @@ class Preset:
     specular: float = 1.0
     slopes: tuple = ((0.2, 1.0),)
     distribution: str = "beckmann"
-    diffuse: object = None
+    diffuse: object = "specular"
     note: str = ""
     estimated: str = ""
 

@@ -116,3 +116,12 @@ def test_the_record_has_the_documented_keys():
     assert set(record["f82"]) == {"f0", "tint", "delta_e_2000_max"}
     assert set(record["fresnel"]) == {"cos_theta", "rgb"}
     assert set(record["gamut"]) == {"outside", "method", "largest_change"}
+
+
+def test_a_preset_brings_the_parameters_of_its_material():
+    plastic = bake("figure_6a").cook_torrance_parameters()
+    assert plastic["specular"] == 0.1 and plastic["slopes"] == ((0.15, 1.0),)
+    assert np.allclose(plastic["diffuse"], bake("copper").normal_rgb)
+    assert plastic["n"] == bake("vinyl").conductor.n
+    metal = bake("copper", space="ACEScg").cook_torrance_parameters()
+    assert np.allclose(metal["diffuse"], bake("copper", space="ACEScg").normal_rgb)
