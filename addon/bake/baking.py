@@ -7,7 +7,7 @@ import numpy as np
 from ..errors import choice
 from ..reflectance import fresnel
 from .curve import knots
-from .fit import colour_metric, family_of, fit, largest_delta_e
+from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_of
 from .gamut import GamutReport
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, diffuse_colour, reflect
 
@@ -165,11 +165,16 @@ def fit_conductor(reflected, formula, metric):
     return ConductorFit(tuple(n.tolist()), tuple(np.sqrt(k2).tolist()), formula, delta_e)
 
 
+F82_CURVES = linear_family_of(fresnel.f82_unclamped, ANGLES[FITTED])
+
+
 def fit_f82(reflected, metric):
-    """The F82Fit of a Reflected."""
+    """The F82Fit of a Reflected; the search is over F0 and the model's factor b, in which it is linear."""
     rgb = reflected.mapped
-    start = np.stack([rgb[AT_NORMAL], fresnel.f82_tint_of(rgb[AT_NORMAL], rgb[AT_82])])
-    f0, tint = fit(family_of(fresnel.f82, ANGLES[FITTED]), rgb[FITTED], start, (0.0, 0.0), (1.0, 1.0), metric)
+    at_82 = fresnel.schlick(fresnel.COS_THETA_82, rgb[AT_NORMAL])
+    start = np.stack([rgb[AT_NORMAL], (at_82 - rgb[AT_82]) / fresnel.F82_LOBE])
+    f0, b = fit(F82_CURVES, rgb[FITTED], start, (0.0, 0.0), (1.0, 1.0 / fresnel.F82_LOBE), metric)
+    tint = np.clip(1.0 - b * fresnel.F82_LOBE / fresnel.schlick(fresnel.COS_THETA_82, f0), 0.0, 1.0)
     fitted = fresnel.f82(ANGLES[COMPARED, None], f0, tint)
     delta_e = largest_delta_e(fitted, rgb[COMPARED], reflected.viewing.space)
     return F82Fit(tuple(f0.tolist()), tuple(tint.tolist()), delta_e)

@@ -4,7 +4,7 @@ import numpy as np
 
 from .colour import delta_e_2000, lab
 
-__all__ = ["fit", "family_of", "largest_delta_e", "colour_metric"]
+__all__ = ["fit", "family_of", "linear_family_of", "largest_delta_e", "colour_metric"]
 
 STEP = 1e-4
 ROUNDS, PATIENCE = 16, 4
@@ -79,6 +79,19 @@ def family_of(formula, cos_theta):
         p, q = parameters[:, None, None, :] + moved
         curves = formula(c, p, q)
         return curves[0], (curves[1:] - curves[0]).transpose(1, 2, 0) / STEP
+    return family
+
+
+def linear_family_of(formula, cos_theta):
+    """The same of a formula that is linear in its parameters: its slopes are calculated once.
+
+    cos_theta  ``(A,)``
+    """
+    origin, *ends = formula(cos_theta, np.array([[0.0], [1.0], [0.0]]), np.array([[0.0], [0.0], [1.0]]))
+    slopes = np.stack([end - origin for end in ends], axis=-1)[:, None, :]
+
+    def family(parameters):
+        return origin[:, None] + (slopes[:, 0] @ parameters), slopes
     return family
 
 

@@ -10,11 +10,14 @@ from ..operands import clip, less, maximum, minimum, power, sqrt, term, where
 
 __all__ = [
     "conductor", "conductor_blender_4_5", "dielectric", "index_from_normal", "dielectric_from_normal",
-    "schlick", "f82", "f82_tint_of", "cheap_colour_shift", "COS_THETA_82",
+    "schlick", "f82", "f82_unclamped", "f82_tint_of", "cheap_colour_shift", "COS_THETA_82", "F82_LOBE",
 ]
 
 COS_THETA_82 = 1.0 / 7.0
 """cos θ of the angle near 82° at which the F82 model is anchored."""
+
+F82_LOBE = COS_THETA_82 * (1.0 - COS_THETA_82) ** 6
+"""The F82 model's c·(1−c)⁶ there, where it is greatest."""
 
 SMALLEST = 1e-20
 """Keeps a denominator away from 0 where there is no surface: n = 1, k = 0 at grazing incidence."""
@@ -163,9 +166,21 @@ def f82(cos_theta, f0, tint):
     >>> round(float(f82(1 / 7, 0.9, 0.8) / schlick(1 / 7, 0.9)), 6)
     0.8
     """
-    c = COS_THETA_82
-    b = schlick(c, f0) * (1.0 - tint) * (1.0 / (c * (1.0 - c) ** 6))
-    return clip(schlick(cos_theta, f0) - b * (cos_theta * power(1.0 - cos_theta, 6.0)), 0.0, 1.0)
+    b = schlick(COS_THETA_82, f0) * (1.0 - tint) * (1.0 / F82_LOBE)
+    return clip(f82_unclamped(cos_theta, f0, b), 0.0, 1.0)
+
+
+def f82_unclamped(cos_theta, f0, b):
+    """The F82 model by its factor b, not held to [0, 1]: linear in F0 and b.
+
+    cos_theta  cosine between the direction and the facet's normal, [0, 1]
+    f0         reflectance at normal incidence
+    b          how much of c·(1−c)⁶ Schlick's curve lacks
+
+    >>> round(float(f82_unclamped(0.5, 0.04, 1.0)), 6)
+    0.062188
+    """
+    return schlick(cos_theta, f0) - b * (cos_theta * power(1.0 - cos_theta, 6.0))
 
 
 def f82_tint_of(f0, reflectance_82):

@@ -93,6 +93,7 @@ def test_fits_of_metals():
             assert baked.gamut.largest_change > 0.0
             wide = bake(baked.name, space="Rec.2020")
             assert not wide.gamut.outside, baked.name
+            assert min(wide.conductor.delta_e_2000_max, wide.f82.delta_e_2000_max) <= 0.2, baked.name
 
 
 @pytest.mark.parametrize("dataset", ["organic/polyvinil_chloride/Zhang", "main/C/Phillip", "main/SiO2/Malitson"])
