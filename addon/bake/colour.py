@@ -30,8 +30,8 @@ def adaptation(white_from, white_to):
 
     white_from, white_to  XYZ of the whites, ``(3,)``
 
-    >>> adaptation(np.ones(3), np.ones(3)).round(9).tolist()
-    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    >>> np.allclose(adaptation(np.ones(3), np.ones(3)), np.eye(3))
+    True
     """
     gain = (BRADFORD @ white_to) / (BRADFORD @ white_from)
     return np.linalg.inv(BRADFORD) @ (gain[:, None] * BRADFORD)
