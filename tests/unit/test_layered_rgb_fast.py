@@ -1,0 +1,131 @@
+"""The fast layered RGB lobes against quadrature of the formula: albedo per channel, peaks, no negative colour."""
+
+import math
+
+import numpy as np
+import pytest
+
+from addon.reflectance import layered_rgb as layered
+from addon.reflectance.layered_rgb_fast import exit_directions, lobe_colours, native_lobes
+
+UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
+WAVELENGTHS = np.array(layered.WAVELENGTHS)
+ANGLES = (0.0, 9.0, 18.0, 27.0, 36.0, 45.0, 54.0, 63.0)
+FIGURE_3 = ((1.4, 1.45, 1.6), 90.0, 170.0)
+FIGURE_5 = ((1.5, 1.6, 1.8), 130.0, 130.0)
+
+
+def view_at(polar, azimuth=0.0):
+    polar, azimuth = math.radians(polar), math.radians(azimuth)
+    return np.array([math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)])
+
+
+def lower_normal(deviation):
+    return layered.tilted_normal(UP, EAST, NORTH, math.radians(deviation), 0.0)
+
+
+def hemisphere(polar=300, azimuthal=240):
+    nodes, weights = np.polynomial.legendre.leggauss(polar)
+    z, w = (nodes + 1) / 2, weights / 2
+    phi = (np.arange(azimuthal) + 0.5) / azimuthal * 2 * math.pi
+    z, phi = np.meshgrid(z, phi, indexing="ij")
+    s = np.sqrt(1 - z * z)
+    solid_angle = np.repeat(w[:, None], azimuthal, axis=1) * 2 * math.pi / azimuthal
+    return np.stack([s * np.cos(phi), s * np.sin(phi), z], axis=-1), solid_angle
+
+
+LIGHTS, SOLID_ANGLE = hemisphere()
+
+
+def formula_albedos(view, n1, r1, thicknesses, e0, e1):
+    """∫ ρ (N.L) dω for each thickness, (thicknesses, 3)."""
+    cosines = layered.inner_products(LIGHTS, view, UP, n1, r1)
+    r, t = layered.layered_lobes(cosines, r1, e0, e1)
+    weight = (cosines.n0_l * SOLID_ANGLE)[..., None]
+    path = layered.phase_eq3(cosines.cos_i, cosines.cos_o, r1, 1.0, WAVELENGTHS)
+    both, between = (r + t) * weight, 2 * np.sqrt(r * t) * weight
+    return [(0.5 * np.sum(both + between * np.cos(2 * path * d), axis=(0, 1))) for d in thicknesses]
+
+
+def fast_albedo(view, n1, r1, d, e0, e1):
+    r, t, _ = lobe_colours(exit_directions(view, UP, n1, r1), r1, d, WAVELENGTHS, e0, e1)
+    return r + t
+
+
+@pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
+def test_albedo_of_parallel_boundaries(r1, e0, e1):
+    thicknesses = (15.0, 70.0, 92.0, 170.0, 400.0)
+    r1 = np.array(r1)
+    for angle in ANGLES:
+        expected = formula_albedos(view_at(angle), UP, r1, thicknesses, e0, e1)
+        for d, albedo in zip(thicknesses, expected):
+            np.testing.assert_allclose(fast_albedo(view_at(angle), UP, r1, d, e0, e1), albedo, rtol=0.02)
+
+
+@pytest.mark.parametrize("deviation", [5.0, 10.0, 14.0])
+@pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
+def test_albedo_of_deviated_boundaries(r1, e0, e1, deviation):
+    """Within 5 % wherever the lobes leave the layer: more than a quarter of what they do at normal incidence."""
+    thicknesses = (15.0, 70.0, 170.0)
+    r1, n1 = np.array(r1), lower_normal(deviation)
+    at_normal = formula_albedos(view_at(0.0), n1, r1, thicknesses, e0, e1)
+    for azimuth in (0.0, 90.0, 180.0):
+        for angle in ANGLES:
+            expected = formula_albedos(view_at(angle, azimuth), n1, r1, thicknesses, e0, e1)
+            for d, albedo, normal in zip(thicknesses, expected, at_normal):
+                found = fast_albedo(view_at(angle, azimuth), n1, r1, d, e0, e1)
+                seen = albedo > 0.25 * normal
+                np.testing.assert_allclose(found[seen], albedo[seen], rtol=0.05)
+
+
+def beckmann(light, view, lobe):
+    """D/(4 V.H) of the anisotropic Beckmann lobe, which is the closure times N.L but for Smith's G."""
+    n = lobe.normal
+    y = np.cross(n, view)
+    y /= max(np.linalg.norm(y), 1e-12)
+    x = np.cross(y, n)
+    half = light + view
+    half /= np.linalg.norm(half, axis=-1, keepdims=True)
+    cosine = half @ n
+    slope2 = ((half @ x / lobe.slope_in) ** 2 + (half @ y / lobe.slope_across) ** 2) / cosine ** 2
+    d = np.exp(-np.minimum(slope2, 80.0)) / (math.pi * lobe.slope_in * lobe.slope_across * cosine ** 4)
+    return d / (4 * n @ view)
+
+
+def middle_of_peak(angles, seen):
+    """Middle of the stretch above four fifths of the largest value: a flat top has no single highest point."""
+    return np.array([angles[channel > 0.8 * channel.max()].mean() for channel in seen.T])
+
+
+@pytest.mark.parametrize("polar", [0.5, 10.0, 20.0, 30.0, 40.0])
+@pytest.mark.parametrize("deviation", [0.0, 5.0, 10.0, 14.0])
+@pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
+def test_peaks_of_the_channels(r1, e0, e1, deviation, polar):
+    """A lamp moved through the plane of V and n0 is brightest at the same angle, within 1° for each channel."""
+    r1, n1, view = np.array(r1), lower_normal(deviation), view_at(polar)
+    angles = np.arange(-75.0, 75.0, 0.1)
+    lamps = np.stack([view_at(angle) for angle in angles])
+    cosines = layered.inner_products(lamps, view, UP, n1, r1)
+    for d in (15.0, 92.0, 170.0):
+        formula = layered.layered_specular(cosines, r1, d, WAVELENGTHS, e0, e1) * cosines.n0_l[:, None]
+        fast = sum(beckmann(lamps, view, lobe)[:, None] * lobe.colour
+                   for lobe in native_lobes(view, UP, n1, r1, d, WAVELENGTHS, e0, e1))
+        peaks = middle_of_peak(angles, formula)
+        apart = (middle_of_peak(angles, fast) - peaks)[np.abs(peaks) < 55.0]  # those clear of the horizon
+        assert apart.size == 0 or np.abs(apart).max() <= 1.0 + 1e-6, (d, apart)
+
+
+def test_no_colour_is_negative():
+    rng = np.random.default_rng(5)
+    count = 4000
+    view = view_at(0.0) + rng.normal(size=(count, 3))
+    view[:, 2] = np.abs(view[:, 2])
+    view /= np.linalg.norm(view, axis=-1, keepdims=True)
+    n1 = lower_normal(14.0)
+    r1 = rng.uniform(1.01, 2.5, (count, 3))
+    lobes = native_lobes(view, UP, n1, r1, rng.uniform(0, 800, count), WAVELENGTHS,
+                         rng.uniform(0, 2000, count), rng.uniform(0, 2000, count))
+    for lobe in lobes:
+        assert np.isfinite(lobe.colour).all() and lobe.colour.min() >= 0.0
+        assert np.isfinite(lobe.normal).all() and lobe.slope_in.min() > 0.0
+        assert lobe.colour.max() < 10.0
