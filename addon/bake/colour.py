@@ -111,11 +111,12 @@ def delta_e_2000(lab_1, lab_2):
     turn = h_2 - h_1
     turn = np.where(grey, 0.0, turn - 2.0 * np.pi * np.round(turn / (2.0 * np.pi)))  # (10)
     d_h = 2.0 * np.sqrt(c_1 * c_2) * np.sin(0.5 * turn)  # (11)
-    l, c = 0.5 * (l_1 + l_2), 0.5 * (c_1 + c_2)
+    l_mean, c = 0.5 * (l_1 + l_2), 0.5 * (c_1 + c_2)
     h = np.where(grey, h_1 + h_2, h_1 + 0.5 * turn)  # (14)
     t = (1.0 - 0.17 * np.cos(h - np.pi / 6) + 0.24 * np.cos(2.0 * h)
          + 0.32 * np.cos(3.0 * h + np.pi / 30) - 0.20 * np.cos(4.0 * h - 63.0 * np.pi / 180))  # (15)
-    s_l = 1.0 + 0.015 * (l - 50.0) ** 2 / np.sqrt(20.0 + (l - 50.0) ** 2)  # (18)
+    from_50 = (l_mean - 50.0) ** 2
+    s_l = 1.0 + 0.015 * from_50 / np.sqrt(20.0 + from_50)  # (18)
     s_c, s_h = 1.0 + 0.045 * c, 1.0 + 0.015 * c * t  # (19), (20)
     degrees = np.degrees(h) % 360.0
     r_c = 2.0 * np.sqrt(c**7 / (c**7 + 25.0**7))  # (17)

@@ -53,7 +53,8 @@ def fit(family, target, start, low, high, metric):
             weighted = (jacobian * np.repeat(weights, 3)[:, None]).T
             gradient, hessian = weighted @ error.ravel(), weighted @ jacobian
             at_low, at_high = (parameters <= low).T.ravel(), (parameters >= high).T.ravel()
-            moves = ~(at_low & (gradient < 0.0) | at_high & (gradient > 0.0))  # the others push against a bound
+            # The others push against a bound.
+            moves = ~(at_low & (gradient < 0.0) | at_high & (gradient > 0.0))
         else:
             damping *= 10.0
         trial = np.clip(parameters + _step(gradient, hessian, damping, moves), low, high)

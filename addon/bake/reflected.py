@@ -10,10 +10,13 @@ from ..spectra import illuminants, names, observers, optical_constants, presets
 from .colour import SPACES, rgb_to_xyz, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
-__all__ = ["Viewing", "Reflected", "reflect", "mirror_spectra", "material", "diffuse_colour", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED"]
+__all__ = [
+    "Viewing", "Reflected", "reflect", "mirror_spectra", "material", "diffuse_colour",
+    "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED",
+]
 
-_STEPS = np.concatenate([np.arange(0, 24), np.arange(24, 48, 2), np.arange(48, 96, 4), np.arange(96, 255, 8), [255]])
-COS_THETA = _STEPS / 255.0
+COS_THETA = np.concatenate([
+    np.arange(0, 24), np.arange(24, 48, 2), np.arange(48, 96, 4), np.arange(96, 255, 8), [255]]) / 255.0
 """Where a curve may have its points, grazing to normal: dense near grazing, where Fresnel
 curves bend most, and where the renderer's table of 256 entries has its own."""
 ANGLES = np.concatenate([COS_THETA, [fresnel.COS_THETA_82, np.cos(np.radians(89.0))]])

@@ -46,7 +46,8 @@ class OpticalConstants:
         for name in ("wavelength_nm", "n", "k"):
             object.__setattr__(self, name, np.asarray(getattr(self, name), float))
         if not self.range_nm:
-            object.__setattr__(self, "range_nm", (float(self.wavelength_nm[0]), float(self.wavelength_nm[-1])))
+            ends = self.wavelength_nm[[0, -1]]
+            object.__setattr__(self, "range_nm", tuple(ends.tolist()))
 
     def at(self, wavelength_nm):
         """(n, k) at these wavelengths, each of their shape: linear interpolation, ends held.
@@ -94,14 +95,15 @@ def load(dataset):
     wavelength, n, k = _on_common_wavelengths(n_points, k_points)
     ranges = [model[-2:] for model in (n_model, k_model) if model]
     return OpticalConstants(
-        wavelength, n, np.maximum(k, 0.0), dataset, names.title_of(dataset, title), index["citations"][citation], about["licence"],
+        wavelength, n, np.maximum(k, 0.0), dataset, names.title_of(dataset, title),
+        index["citations"][citation], about["licence"],
         (max(low for low, _ in ranges), min(high for _, high in ranges)), bool(k_model), comment=comment)
 
 
 def _refuse(dataset, left_out, places):
     """Raise the error of a dataset that is not in the table."""
     if dataset in left_out["no n"]:
-        raise FacetFilmError(f"Dataset {dataset!r} measured k but not n, so no reflectance follows; choose another.")
+        raise FacetFilmError(f"Dataset {dataset!r} has k but no n: no reflectance follows; choose another.")
     if dataset in left_out["outside the visible"]:
         raise FacetFilmError(f"Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; "
                              "choose another.")

@@ -111,7 +111,8 @@ def _preset(preset, record, index):
 def _dataset(record, index, values):
     dataset, title, citation, comment, _, k_model = record
     k = values[k_model[2]:k_model[2] + k_model[3]].mean() if k_model else 0.0
-    entry = Found(dataset, names.title_of(dataset, title), names.kind_of(dataset, k), dataset, False, _covers(record))
+    title_shown, kind = names.title_of(dataset, title), names.kind_of(dataset, k)
+    entry = Found(dataset, title_shown, kind, dataset, False, _covers(record))
     named = _text(*names.material_names(dataset), *dataset.split("/")[1:])
     return entry, named, named + _text(title, comment) + _text(index["citations"][citation])
 

@@ -37,7 +37,8 @@ def test_f0_f82_and_the_curve_against_colour_science(dataset):
     assert np.allclose(baked.f0, f0, atol=1e-5)
     assert np.allclose(baked.f82_tint, f82 / (f0 + (1 - f0) * (6 / 7) ** 5), atol=1e-5)
     for cos_theta in np.linspace(0.003, 0.997, 60):
-        from_curve = [np.interp(cos_theta, baked.fresnel.cos_theta, channel) for channel in zip(*baked.fresnel.rgb)]
+        curve = baked.fresnel
+        from_curve = [np.interp(cos_theta, curve.cos_theta, channel) for channel in zip(*curve.rgb)]
         assert np.allclose(from_curve, independent_rgb(dataset, cos_theta), atol=1e-3)
 
 
@@ -48,9 +49,9 @@ def test_the_copper_fit_looks_like_copper():
     cos_theta = np.cos(np.radians(np.arange(90.0)))[:, None]
     fitted = fresnel.conductor(cos_theta, np.array(baked.conductor.n), np.array(baked.conductor.k))
     exact = np.array([independent_rgb("main/Cu/Johnson", c) for c in cos_theta[:, 0]])
-    to_lab = lambda rgb: colour.XYZ_to_Lab(
-        rgb @ colour.RGB_COLOURSPACES["ITU-R BT.709"].matrix_RGB_to_XYZ.T, [0.3127, 0.3290])
-    assert colour.delta_E(to_lab(exact), to_lab(fitted), method="CIE 2000").max() < baked.conductor.delta_e_2000_max + 0.03
+    matrix = colour.RGB_COLOURSPACES["ITU-R BT.709"].matrix_RGB_to_XYZ
+    labs = [colour.XYZ_to_Lab(rgb @ matrix.T, [0.3127, 0.3290]) for rgb in (exact, fitted)]
+    assert colour.delta_E(*labs, method="CIE 2000").max() < baked.conductor.delta_e_2000_max + 0.03
 
 
 def test_gold_is_out_of_rec_709_and_says_so():
@@ -109,8 +110,8 @@ def test_unknown_choices_are_clear_errors(options):
 
 def test_the_record_has_the_documented_keys():
     record = bake("copper").to_dict()
-    assert set(record) >= {"name", "title", "kind", "source", "illuminant", "observer", "space", "f0", "f82_tint",
-                           "conductor", "f82", "fresnel", "gamut"}
+    assert set(record) >= {"name", "title", "kind", "source", "illuminant", "observer", "space", "f0",
+                           "f82_tint", "conductor", "f82", "fresnel", "gamut"}
     assert set(record["source"]) >= {"dataset", "citation", "licence", "wavelength_range_nm"}
     assert set(record["conductor"]) == {"n", "k", "formula", "delta_e_2000_max"}
     assert set(record["f82"]) == {"f0", "tint", "delta_e_2000_max"}

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from addon.bake import bake
+from addon.bake.colour import SPACES, adaptation, rgb_to_xyz, spectral_weights
 from addon.spectra import illuminants, observers, optical_constants
-from addon.bake.colour import SPACES, rgb_to_xyz, spectral_weights
 
 IDS = optical_constants.dataset_ids()
 WAVELENGTH_NM = np.arange(360.0, 781.0)
@@ -25,7 +25,8 @@ def test_any_dataset_against_an_independent_calculation():
     shape = colour.SpectralShape(360, 780, 1)
     cmfs = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"].copy().align(shape)
     weights = cmfs.values * colour.SDS_ILLUMINANTS["D65"].copy().align(shape).values[:, None]
-    weights = weights / weights[:, 1].sum() @ np.linalg.inv(colour.RGB_COLOURSPACES["ITU-R BT.709"].matrix_RGB_to_XYZ).T
+    to_rgb = np.linalg.inv(colour.RGB_COLOURSPACES["ITU-R BT.709"].matrix_RGB_to_XYZ)
+    weights = weights / weights[:, 1].sum() @ to_rgb.T
     cos_theta = np.linspace(0.0, 1.0, 41)[1:]
     for dataset in IDS[::40]:
         constants = optical_constants.load(dataset)
@@ -35,15 +36,17 @@ def test_any_dataset_against_an_independent_calculation():
         f82 = complex_fresnel(1.0 / 7.0, index) @ weights
         baked = bake(dataset, gamut="leave")
         assert np.allclose(baked.f0, exact[-1], atol=1e-5), dataset
-        assert np.allclose(baked.f82_tint, f82 / (exact[-1] + (1 - exact[-1]) * (6 / 7) ** 5), atol=2e-5), dataset
-        curve = np.array([np.interp(cos_theta, baked.fresnel.cos_theta, c) for c in zip(*baked.fresnel.rgb)]).T
+        schlick = exact[-1] + (1 - exact[-1]) * (6 / 7) ** 5
+        assert np.allclose(baked.f82_tint, f82 / schlick, atol=2e-5), dataset
+        channels = zip(*baked.fresnel.rgb)
+        curve = np.array([np.interp(cos_theta, baked.fresnel.cos_theta, c) for c in channels]).T
         assert np.abs(curve - exact).max() <= 1e-3, dataset
 
 
-@pytest.mark.parametrize("illuminant", ["A", "D50", "D55", "D65", "D75", "E", "F2", "F7", "F11", "LED-B3", "HP1"])
+@pytest.mark.parametrize("illuminant", "A D50 D55 D65 D75 E F2 F7 F11 LED-B3 HP1".split())
 @pytest.mark.parametrize("observer", ["1931", "1964"])
 def test_every_choice_of_light_and_observer_against_colour_science(illuminant, observer):
-    title = {"1931": "CIE 1931 2 Degree Standard Observer", "1964": "CIE 1964 10 Degree Standard Observer"}[observer]
+    title = f"CIE {observer} {'2' if observer == '1931' else '10'} Degree Standard Observer"
     shape = colour.SpectralShape(360, 780, 1)
     power = colour.SDS_ILLUMINANTS[illuminant.replace("F", "FL")].copy().align(shape)
     reflectance = np.linspace(0.1, 0.9, 421) ** 2
@@ -73,12 +76,12 @@ def test_adaptation_is_bradfords():
     xyz = np.array([0.4, 0.35, 0.2])
     white_a = observers.colour_matching_functions().T @ illuminants.power("A")
     white_a = white_a / white_a[1]
-    adapted = colour.chromatic_adaptation(xyz, white_a, colour.xy_to_XYZ([0.3127, 0.3290]), transform="Bradford")
+    d65 = colour.xy_to_XYZ([0.3127, 0.3290])
+    adapted = colour.chromatic_adaptation(xyz, white_a, d65, transform="Bradford")
     reflectance = np.full(421, 0.5)
     ours = rgb_to_xyz() @ (reflectance @ spectral_weights("A", adapt=True))
-    assert np.allclose(ours, 0.5 * colour.xy_to_XYZ([0.3127, 0.3290]), atol=1e-6)
-    from addon.bake.colour import adaptation
-    assert np.allclose(adaptation(white_a, colour.xy_to_XYZ([0.3127, 0.3290])) @ xyz, adapted, atol=1e-4)
+    assert np.allclose(ours, 0.5 * d65, atol=1e-6)
+    assert np.allclose(adaptation(white_a, d65) @ xyz, adapted, atol=1e-4)
 
 
 def test_fits_of_metals():
@@ -96,7 +99,8 @@ def test_fits_of_metals():
             assert min(wide.conductor.delta_e_2000_max, wide.f82.delta_e_2000_max) <= 0.2, baked.name
 
 
-@pytest.mark.parametrize("dataset", ["organic/polyvinil_chloride/Zhang", "main/C/Phillip", "main/SiO2/Malitson"])
+@pytest.mark.parametrize("dataset", ["organic/polyvinil_chloride/Zhang", "main/C/Phillip",
+                                     "main/SiO2/Malitson"])
 def test_dielectrics_in_blender_4_5_take_the_closer_closure(dataset):
     approximate, exact = bake(dataset, formula="blender-4.5"), bake(dataset)
     assert exact.best == "conductor" and exact.conductor.delta_e_2000_max < 0.05

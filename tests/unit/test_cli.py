@@ -27,7 +27,8 @@ def test_bake_for_people(capsys):
 
 
 def test_bake_as_json(capsys):
-    assert main(["bake", "main/Au/Babar", "--json", "--space", "Rec.2020", "--illuminant", "D50", "--adapt"]) == 0
+    options = ["--space", "Rec.2020", "--illuminant", "D50", "--adapt"]
+    assert main(["bake", "main/Au/Babar", "--json", *options]) == 0
     record = json.loads(capsys.readouterr().out)
     assert record["space"] == "Rec.2020" and record["illuminant"] == "D50"
 
@@ -62,7 +63,8 @@ def test_spread_and_ways(capsys):
 
 @pytest.mark.parametrize("words", [
     ["bake", "coper"], ["bake", "copper", "--gamut", "cut"], ["bake", "a/b/c"], ["search", "xyzzyq"],
-    ["search", "gold", "--limit", "0"], ["check", "--against", "gold"], ["spread", "xyzzyq"], ["ways", "coper"],
+    ["search", "gold", "--limit", "0"], ["check", "--against", "gold"], ["spread", "xyzzyq"],
+    ["ways", "coper"],
     ["check", "--n", "0", "1", "1", "--k", "1", "1", "1", "--against", "gold"]])
 def test_wrong_input_is_one_sentence_and_status_2(words, capsys):
     assert main(words) == 2
@@ -75,5 +77,6 @@ def test_as_a_process_without_bpy():
             "sys.exit('bpy' in sys.modules)")
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    done = subprocess.run([sys.executable, "-m", "addon", "bake", "coper"], cwd=ROOT, capture_output=True, text=True)
+    command = [sys.executable, "-m", "addon", "bake", "coper"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 2 and "did you mean 'copper'" in done.stderr

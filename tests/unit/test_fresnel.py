@@ -37,7 +37,8 @@ def test_conductor_in_single_precision():
 
 def test_conductor_at_the_ends():
     n, k = N_K
-    assert np.allclose(fresnel.conductor(1.0, n, k), ((n - 1) ** 2 + k**2) / ((n + 1) ** 2 + k**2), atol=1e-14)
+    normal = ((n - 1) ** 2 + k**2) / ((n + 1) ** 2 + k**2)
+    assert np.allclose(fresnel.conductor(1.0, n, k), normal, atol=1e-14)
     assert np.allclose(fresnel.conductor(0.0, n, k)[SURFACE], 1.0, atol=1e-12)
 
 
