@@ -26,6 +26,7 @@ X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models
 from types import SimpleNamespace
 
 from ..operands import cos, dot, less, log, maximum, minimum, power, sin, sqrt, term, where, widen
+from .directions import PI
 
 __all__ = [
     "WAVELENGTHS", "R0",
@@ -40,9 +41,6 @@ WAVELENGTHS = (645.0, 525.0, 445.0)
 
 R0 = 1.0
 """Refractive index of what surrounds the object."""
-
-PI = 3.141592653589793
-
 
 def cos_refracted(cos_theta, r1):
     """Cosine inside the layer of a ray that meets n0 at cos_theta outside (Snell's law).

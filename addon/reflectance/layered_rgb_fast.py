@@ -9,7 +9,8 @@ in proportion to theirs: as |2 √(RT)| ≤ R + T, neither becomes negative.
 
 In the closed forms a lobe cos^e is a Gaussian of variance 1/(e + 2) in angle,
 cut off at the horizon, or in the layer at the edge of total reflection; √(RT)
-is a Gaussian between R and T.  Energy scale: the scale's (e + 2)/(2π) is in them.
+is a Gaussian between R and T.
+The energy scale's (e + 2)/(2π) is in them; the published scale takes it off again.
 
 X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(4), 2003.
 """
@@ -17,7 +18,7 @@ X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(
 from types import SimpleNamespace
 
 from ..operands import (
-    arccos, cos, dot, exp, maximum, minimum, normalize, power, sqrt, term, widen, x_of, y_of, z_of,
+    arccos, cos, dot, exp, maximum, minimum, normalize, power, sqrt, term, where, widen, x_of, y_of, z_of,
 )
 from .directions import PI, half_vector
 from .layered_rgb import cos_refracted, f_eq8, fresnel_eq7, phase_eq3, transmission_eq9
@@ -192,7 +193,7 @@ def interference_albedo(exits, r1, d, wavelengths, f, e0, e1, r):
 
 
 @term("Colours")
-def lobe_colours(exits, r1, d, wavelengths, e0, e1):
+def lobe_colours(exits, r1, d, wavelengths, e0, e1, published=0.0):
     """Albedo that the lobes of R and of T reflect, interference included, and its share in T's.
 
     Each ``(..., 3)``; the albedos are never below 0.
@@ -207,14 +208,16 @@ def lobe_colours(exits, r1, d, wavelengths, e0, e1):
     f = f_eq8(r1)
     r = reflected_albedo(exits.n0_v, f, e0)
     t = transmitted_albedo(exits, r1, f, e1)
-    most = 2.0 * sqrt(r * t)
     between = interference_albedo(exits, r1, d, wavelengths, f, e0, e1, r)
+    scale_r, scale_t = (where(published, 2.0 * PI / (e + 2.0), 1.0) for e in (e0, e1))
+    r, t, between = r * widen(scale_r), t * widen(scale_t), between * widen(sqrt(scale_r * scale_t))
+    most = 2.0 * sqrt(r * t)
     between = minimum(maximum(between, -most), most) / maximum(r + t, SMALLEST)
     dealt = 0.5 * maximum(1.0 + between, 0.0)
     return r * dealt, t * dealt, between / maximum(1.0 + between, LEAST_LEFT)
 
 
-def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1):
+def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0):
     """The four native lobes: R's, and T's for red, green and blue.
 
     view, n0, n1, r1, wavelengths ``(..., 3)``; d in nm, exponents ``(...)``.
@@ -229,7 +232,7 @@ def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1):
     (array([0., 0., 1.]), 0.0707, array([0.  , 1.32, 0.  ]))
     """
     exits = exit_directions(view, n0, n1, r1)
-    r, t, share = lobe_colours(exits, r1, d, wavelengths, e0, e1)
+    r, t, share = lobe_colours(exits, r1, d, wavelengths, e0, e1, published)
     mirror = widen(2.0 * exits.n0_v) * n0 - view
     # From D towards the mean of T and of the interference that T carries, as far as the peak moves;
     # and as the two lobes differ in width, so does what N.L moves them by.

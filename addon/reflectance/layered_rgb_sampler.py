@@ -24,11 +24,11 @@ X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(
 from types import SimpleNamespace
 
 from ..operands import (
-    absolute, clip, cos, cross, dot, less, maximum, minimum, normalize, power, sin, sqrt, term, vector, where,
-    widen, x_of, y_of, z_of,
+    clip, cos, dot, less, maximum, minimum, power, sin, sqrt, term, vector, where, widen, x_of, y_of,
 )
+from .directions import PI, frame_about, half_vector, in_frame
 from .layered_rgb import (
-    PI, cos_refracted, f_eq8, fresnel_eq7, inner_products, layered_specular, transmission_eq9,
+    cos_refracted, f_eq8, fresnel_eq7, inner_products, layered_specular, transmission_eq9,
 )
 
 __all__ = ["narrowed_exponent", "proposal", "tapered_width", "draw", "weight", "kernel", "roughness_and_anisotropy",
@@ -159,11 +159,8 @@ def _picked(lobes, u_lobe):
 
 def _around(axis, cos_alpha, phi):
     """The unit direction at the angle α from the axis, turned by φ about it."""
-    aside = where(widen(less(absolute(z_of(axis)), 0.9)), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
-    tangent = normalize(cross(axis, aside))
     sine = sqrt(1.0 - cos_alpha * cos_alpha)
-    return (widen(cos_alpha) * axis + widen(sine * cos(phi)) * tangent
-            + widen(sine * sin(phi)) * cross(axis, tangent))
+    return in_frame(sine * cos(phi), sine * sin(phi), cos_alpha, *frame_about(axis), axis)
 
 
 @term("f (N.L) / p")
@@ -211,7 +208,7 @@ def kernel(drawn, view, width):
     >>> lobe.normal, float(lobe.slope_in)
     (array([0., 0., 1.]), 0.0)
     """
-    half = normalize(view + drawn.light)
+    half = half_vector(view, drawn.light)
     slope = width * drawn.index / sqrt(2.0 * (drawn.exponent + 2.0) * (1.0 - width * width))
     stretch = minimum(drawn.inside_cos / maximum(drawn.light_cos, SMALLEST), MOST_STRETCH)
     return SimpleNamespace(normal=half, slope_in=slope * stretch,

@@ -25,7 +25,7 @@ def direction(polar, azimuth):
     return np.array([math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)])
 
 
-def grid(polar=450, azimuthal=450):
+def grid(polar=900, azimuthal=300):
     """Directions over the hemisphere and the solid angle of each: even in cosine and azimuth."""
     z = (np.arange(polar) + 0.5) / polar
     phi = (np.arange(azimuthal) + 0.5) / azimuthal * 2 * math.pi
@@ -71,7 +71,7 @@ def test_density_is_that_of_the_draws(case, view):
     lights, solid_angle = grid()
     density = sampler._density(lobes, layered.inner_products(lights, v, UP, n1, r1), r1, e0, e1) * solid_angle
     bins = 30
-    expected = density.reshape(bins, 15, bins, 15).sum(axis=(1, 3)).ravel() * 100000
+    expected = density.reshape(bins, 30, bins, 10).sum(axis=(1, 3)).ravel() * 100000
     light = drawn.light[drawn.valid > 0.5]
     row = np.minimum((light[:, 2] * bins).astype(int), bins - 1)
     column = ((np.arctan2(light[:, 1], light[:, 0]) / (2 * math.pi) % 1.0) * bins).astype(int) % bins

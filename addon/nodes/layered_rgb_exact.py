@@ -1,0 +1,59 @@
+"""Granier and Heidrich's layered RGB model itself, sampled: nodes alone, on every device.
+
+For every sample of a pixel the nodes draw a direction L from the lobes of the
+model, and a Glossy BSDF about H, half-way between V and L, carries the weight
+f (N.L)/p(L): see addon.reflectance.layered_rgb_sampler.  At Sampling Width 0 it
+is a mirror, and Cycles integrates exactly the formula; above, a narrow lobe
+that light sampling reaches.  The diffuse part is a native Diffuse BSDF.
+"""
+
+from ..operands import widen
+from ..reflectance.layered_rgb import rho_d_eq16
+from ..reflectance.layered_rgb_sampler import (
+    DEFAULT_WIDTH, draw, kernel, narrowed_exponent, proposal, roughness_and_anisotropy, tapered_width, weight,
+)
+from .builder import GroupBuilder
+from .layered_inputs import layered_inputs, normals
+
+__all__ = ["NAME", "VERSION", "build"]
+
+NAME = "Layered RGB Exact"
+VERSION = 1
+
+LOBE, COSINE, AZIMUTH = range(1, 4)
+"""The random numbers that a sample draws."""
+
+
+def build():
+    """The node group, newly built."""
+    builder = GroupBuilder(NAME)
+    sockets = layered_inputs(builder)
+    sockets.width = builder.input(
+        "Sampling Width", DEFAULT_WIDTH, minimum=0.0, maximum=0.9, subtype="FACTOR",
+        description="0: the formula itself, by mirrors that only light which they happen to hit can reach; "
+                    "above: narrow lobes of this share of each lobe's width, which lamps of any size light")
+    n0, n1 = normals(builder, sockets)
+    specular = _drawn_lobe(builder, sockets, n0, n1)
+    with builder.frame("specular ρ + diffuse ρ_d/π"):
+        diffuse = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published) * widen(sockets.diffuse)
+        native = builder.node("ShaderNodeBsdfDiffuse", {"Color": diffuse, "Normal": n0})
+        builder.output("BSDF", builder.add_shaders(specular, native))
+    return builder.finish()
+
+
+def _drawn_lobe(builder, sockets, n0, n1):
+    """The Glossy BSDF, mirror or narrow lobe, about the H of a drawn L."""
+    view, r1 = builder.incoming(), sockets.r1
+    lobes = proposal(view, n0, n1, r1, sockets.e0, sockets.e1)
+    with builder.frame("Width"):
+        width = tapered_width(lobes, sockets.width)
+        e0, e1 = narrowed_exponent(sockets.e0, width), narrowed_exponent(sockets.e1, width)
+    with builder.frame("Draw L"):
+        numbers = [builder.random(number) for number in (LOBE, COSINE, AZIMUTH)]
+    drawn = draw(lobes, view, n0, n1, r1, e0, e1, *numbers)
+    colour = weight(lobes, drawn, view, n0, n1, r1, sockets.d, sockets.wavelengths, e0, e1, sockets.published, width)
+    lobe = kernel(drawn, view, width)
+    roughness, anisotropy = roughness_and_anisotropy(lobe.slope_in, lobe.slope_across)
+    return builder.node("ShaderNodeBsdfAnisotropic", {
+        "Color": colour * widen(sockets.specular), "Roughness": roughness, "Anisotropy": anisotropy,
+        "Normal": lobe.normal, "Tangent": view}, distribution="BECKMANN")
