@@ -17,8 +17,12 @@ FORMULAS = {"exact": fresnel.conductor, "blender-4.5": fresnel.conductor_blender
 """What the renderer evaluates for a conductor: exact from Blender 5.0, before that an approximation."""
 
 FITTED = COMPARED[::2]
-CURVE_TOLERANCE = 9e-4
+CURVE_TOLERANCE = 8.8e-4
 """Of the sampled curve; leaves room for what lies between the samples, within 0.001 in all."""
+SHARPEST_BEND = 1.5e-3
+"""Second difference of a curve's samples near grazing above which that room is not enough."""
+NEAR_GRAZING = 16.0 / 255.0 * np.linspace(0.0, 1.0, 161)[:-1] ** 2
+"""cos θ of the finer samples that such a curve then gets: gases, whose n is nearly 1, bend within a degree."""
 N_RANGE, K_RANGE = (1e-3, 20.0), (0.0, 40.0)
 
 
@@ -131,7 +135,6 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     metric = colour_metric(mapped[FITTED], space)
     conductor = fit_conductor(reflected, formula, metric)
     f82 = fit_f82(reflected, metric)
-    chosen = knots(COS_THETA, mapped[:len(COS_THETA)], CURVE_TOLERANCE)
     constants, record, viewing = reflected.constants, reflected.preset, reflected.viewing
     return Bake(
         name=record.name, title=record.title, kind=record.kind,
@@ -141,12 +144,23 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
         f0=tuple(colours[AT_NORMAL].tolist()),
         f82_tint=tuple(fresnel.f82_tint_of(colours[AT_NORMAL], colours[AT_82]).tolist()),
         conductor=conductor, f82=f82,
-        fresnel=FresnelCurve(tuple(COS_THETA[chosen].tolist()), tuple(map(tuple, mapped[chosen].tolist()))),
+        fresnel=curve_of(reflected),
         gamut=reflected.gamut, normal_rgb=tuple(mapped[AT_NORMAL].tolist()),
         diffuse_rgb=tuple(diffuse_colour(reflected).tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
         adapted=viewing.adapt, specular=record.specular, slopes=record.slopes,
         distribution=record.distribution)
+
+
+def curve_of(reflected):
+    """The FresnelCurve of a Reflected, after gamut mapping."""
+    cos_theta, rgb = COS_THETA, reflected.mapped[:len(COS_THETA)]
+    if np.abs(rgb[0] - 2.0 * rgb[1] + rgb[2]).max() > SHARPEST_BEND:
+        beyond = COS_THETA > NEAR_GRAZING[-1]
+        cos_theta = np.concatenate([NEAR_GRAZING, COS_THETA[beyond]])
+        rgb = np.concatenate([reflected.mapped_at(NEAR_GRAZING), rgb[beyond]])
+    chosen = knots(cos_theta, rgb, CURVE_TOLERANCE)
+    return FresnelCurve(tuple(cos_theta[chosen].tolist()), tuple(map(tuple, rgb[chosen].tolist())))
 
 
 def fit_conductor(reflected, formula, metric):

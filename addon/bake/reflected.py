@@ -75,6 +75,7 @@ class Reflected:
     constants  the OpticalConstants
     viewing    the Viewing
     n, k       at 360 to 780 nm, ``(421,)`` each
+    from_normal_reflectance  whether by the normal reflectance alone
     colours    linear RGB before gamut mapping, ``(A, 3)``
     mapped     linear RGB after it, ``(A, 3)``
     gamut      the GamutReport
@@ -85,9 +86,15 @@ class Reflected:
     viewing: Viewing
     n: np.ndarray
     k: np.ndarray
+    from_normal_reflectance: bool
     colours: np.ndarray
     mapped: np.ndarray
     gamut: GamutReport
+
+    def mapped_at(self, cos_theta):
+        """Linear RGB after gamut mapping at other cos θ, ``(A,)`` to ``(A, 3)``."""
+        spectra = mirror_spectra(cos_theta, self.n, self.k, self.from_normal_reflectance)
+        return self.viewing.map(spectra @ self.viewing.weights)[0]
 
 
 def reflect(what, viewing=None, from_normal_reflectance=False):
@@ -110,7 +117,7 @@ def reflect(what, viewing=None, from_normal_reflectance=False):
     from_normal_reflectance = from_normal_reflectance or constants.normal_only
     colours = mirror_spectra(ANGLES, n, k, from_normal_reflectance) @ viewing.weights
     mapped, report = viewing.map(colours)
-    return Reflected(preset, constants, viewing, n, k, colours, mapped, report)
+    return Reflected(preset, constants, viewing, n, k, from_normal_reflectance, colours, mapped, report)
 
 
 def mirror_spectra(cos_theta, n, k, from_normal_reflectance=False):

@@ -21,6 +21,18 @@ def complex_fresnel(cos_theta, index):
     return (abs(r_s) ** 2 + abs(r_p) ** 2) / 2.0
 
 
+@pytest.mark.parametrize("dataset", ["main/He/Mansfield", "other/air/Ciddor", "main/Zn/Querry",
+                                     "main/C/Djurisic-o", "main/Cs/Ives", "main/Au/Babar",
+                                     "main/ZnSe/Marple", "organic/SQIB/Funke-β"])
+def test_the_curve_holds_between_its_points_down_to_grazing(dataset):
+    cos_theta = np.linspace(0.0, 1.0, 600) ** 2
+    n, k = optical_constants.load(dataset).at(WAVELENGTH_NM)
+    exact = complex_fresnel(cos_theta[:, None], n + 1j * k) @ spectral_weights()
+    curve = bake(dataset, gamut="leave").fresnel
+    found = np.stack([np.interp(cos_theta, curve.cos_theta, channel) for channel in zip(*curve.rgb)], axis=1)
+    assert np.abs(found - exact).max() <= 1e-3
+
+
 def test_any_dataset_against_an_independent_calculation():
     shape = colour.SpectralShape(360, 780, 1)
     cmfs = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"].copy().align(shape)
