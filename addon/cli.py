@@ -44,7 +44,9 @@ def _parser():
         description="Measured metals and layered films: colours and parameters for Cycles.")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
-    command = _command(commands, "list", _list, "list the presets")
+    command = _command(commands, "list", _list, "list the presets, or the illuminants")
+    command.add_argument("what", nargs="?", choices=("presets", "illuminants"), default="presets",
+                         help="presets (the default) or illuminants")
 
     command = _command(commands, "bake", _bake, "colours over angle and fitted parameters of a material")
     command.add_argument("material", metavar=MATERIAL, help="a preset, or a dataset of the database")
@@ -110,6 +112,10 @@ def _given(options, *names):
 
 
 def _list(options):
+    if options.what == "illuminants":
+        from .spectra import illuminants
+        titles = {name: illuminants.title(name) for name in illuminants.names()}
+        return _json(titles) if options.json else cli_text.illuminants(titles)
     from .spectra import presets
     found = presets.all_presets().values()
     if options.json:

@@ -1,6 +1,6 @@
 """What the shell's commands print for people."""
 
-__all__ = ["baked", "checked", "columns", "found", "presets", "spread", "ways"]
+__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "spread", "ways"]
 
 SHOWN_DEGREES = (0, 30, 60, 75, 80, 85, 89)
 CHANNELS = ("red", "green", "blue")
@@ -12,6 +12,14 @@ def presets(records):
     records  Presets
     """
     return columns([(p.name, p.title, p.kind, p.dataset) for p in records])
+
+
+def illuminants(titles):
+    """A line an illuminant.
+
+    titles  what each is, by name
+    """
+    return columns(list(titles.items()))
 
 
 def found(entries):
@@ -40,13 +48,21 @@ def baked(bake):
     facts = [
         ("dataset", f"{source.dataset}, {low_high}, {source.licence}{held}"),
         ("citation", source.citation),
-        ("colour", _colour(bake) + (", adapted" if bake.adapted else "")),
+        ("colour", _colour(bake) + _white(bake)),
         ("fit", f"n and k ({bake.conductor.formula}) within {bake.conductor.delta_e_2000_max:.3f} "
                 f"CIEDE2000 from 0 to 89°, F82 within {bake.f82.delta_e_2000_max:.3f}"),
         ("curve", f"{len(bake.fresnel.cos_theta)} points"),
         ("gamut", _gamut(bake.gamut)),
     ]
     return "\n".join([bake.title, columns(rows, "  "), columns(facts, "  ")])
+
+
+def _white(bake):
+    if bake.adapted:
+        return ", adapted"
+    if max(bake.white) - min(bake.white) < 0.01:
+        return ""
+    return ", in which white is " + " ".join(f"{channel:.2f}" for channel in bake.white)
 
 
 def _gamut(gamut):

@@ -22,7 +22,7 @@ CURVE_TOLERANCE = 8.8e-4
 SHARPEST_BEND = 1.5e-3
 """Second difference of a curve's samples near grazing above which that room is not enough."""
 NEAR_GRAZING = 16.0 / 255.0 * np.linspace(0.0, 1.0, 161)[:-1] ** 2
-"""cos θ of the finer samples that such a curve then gets: gases, whose n is nearly 1, bend within a degree."""
+"""cos θ of the finer samples that such a curve gets: gases, whose n is nearly 1, bend within a degree."""
 N_RANGE, K_RANGE = (1e-3, 20.0), (0.0, 40.0)
 
 
@@ -71,7 +71,8 @@ class Bake:
     f0 and f82_tint are colorimetric, before colours are brought into the
     gamut; conductor, f82, fresnel, normal_rgb (the colour at normal incidence)
     and diffuse_rgb (π·Rd) are after.  best names the closer one of "conductor"
-    and "f82".  specular, slopes and distribution are the preset's.
+    and "f82".  specular, slopes and distribution are the preset's.  white is
+    what a perfect reflector is in this light: neutral in D65 and where adapted.
     """
 
     name: str
@@ -94,6 +95,7 @@ class Bake:
     specular: float
     slopes: tuple
     distribution: str
+    white: tuple
 
     def to_dict(self):
         """The same as dicts, lists, numbers and text, ready for JSON.
@@ -149,7 +151,7 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
         diffuse_rgb=tuple(diffuse_colour(reflected).tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
         adapted=viewing.adapt, specular=record.specular, slopes=record.slopes,
-        distribution=record.distribution)
+        distribution=record.distribution, white=tuple(viewing.weights.sum(axis=0).tolist()))
 
 
 def curve_of(reflected):

@@ -6,7 +6,39 @@ from ..errors import choice
 from . import tables
 from .observers import WAVELENGTH_NM
 
-__all__ = ["power", "names", "canonical"]
+__all__ = ["power", "names", "title", "canonical"]
+
+TITLES = {
+    "A": "incandescent lamp, 2856 K", "B": "direct sunlight at noon (superseded), 4874 K",
+    "C": "average daylight (superseded), 6774 K", "D50": "daylight, 5000 K", "D55": "daylight, 5500 K",
+    "D60": "daylight, 6000 K", "D65": "daylight, 6500 K", "D75": "north sky daylight, 7500 K",
+    "E": "equal energy", "ID50": "indoor daylight, 5100 K", "ID65": "indoor daylight, 6600 K",
+    "F1": "daylight fluorescent, 6430 K", "F2": "cool white fluorescent, 4230 K",
+    "F3": "white fluorescent, 3450 K", "F4": "warm white fluorescent, 2940 K",
+    "F5": "daylight fluorescent, 6350 K", "F6": "light white fluorescent, 4150 K",
+    "F7": "broadband fluorescent, D65 simulator, 6500 K",
+    "F8": "broadband fluorescent, D50 simulator, 5000 K",
+    "F9": "broadband fluorescent, cool white deluxe, 4150 K", "F10": "three-band fluorescent, 5000 K",
+    "F11": "three-band fluorescent, 4000 K", "F12": "three-band fluorescent, 3000 K",
+    "F3.1": "halophosphate fluorescent, 2930 K", "F3.2": "halophosphate fluorescent, 3970 K",
+    "F3.3": "halophosphate fluorescent, 6280 K", "F3.4": "deluxe fluorescent, 2900 K",
+    "F3.5": "deluxe fluorescent, 4090 K", "F3.6": "deluxe fluorescent, 4890 K",
+    "F3.7": "three-band fluorescent, 2980 K", "F3.8": "three-band fluorescent, 4010 K",
+    "F3.9": "three-band fluorescent, 4850 K", "F3.10": "three-band fluorescent, 5000 K",
+    "F3.11": "three-band fluorescent, 5850 K", "F3.12": "multi-band fluorescent, 2980 K",
+    "F3.13": "multi-band fluorescent, 3900 K", "F3.14": "multi-band fluorescent, 5040 K",
+    "F3.15": "fluorescent, D65 simulator, 6510 K",
+    "HP1": "high pressure sodium lamp, 1960 K", "HP2": "colour enhanced high pressure sodium lamp, 2510 K",
+    "HP3": "high pressure metal halide lamp, 3140 K", "HP4": "high pressure metal halide lamp, 4000 K",
+    "HP5": "high pressure metal halide lamp, 4040 K",
+    "LED-B1": "white LED, blue with phosphor, 2730 K", "LED-B2": "white LED, blue with phosphor, 3000 K",
+    "LED-B3": "white LED, blue with phosphor, 4100 K", "LED-B4": "white LED, blue with phosphor, 5110 K",
+    "LED-B5": "white LED, blue with phosphor, 6600 K",
+    "LED-BH1": "white LED, blue with phosphor, and red, 2850 K",
+    "LED-RGB1": "white LED, red, green and blue, 2840 K",
+    "LED-V1": "white LED, violet with phosphor, 2720 K", "LED-V2": "white LED, violet with phosphor, 4070 K",
+}
+"""What each illuminant is, with its correlated colour temperature.  CIE 015:2018."""
 
 
 def names():
@@ -16,6 +48,15 @@ def names():
     True
     """
     return tuple(tables.read("cie")[1]["illuminants"])
+
+
+def title(illuminant):
+    """What an illuminant is, in words.
+
+    >>> title("A")
+    'incandescent lamp, 2856 K'
+    """
+    return TITLES[canonical(illuminant)]
 
 
 def canonical(illuminant):

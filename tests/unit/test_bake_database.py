@@ -1,5 +1,7 @@
 """Bakes of many datasets against an independent calculation, and how close the fits come."""
 
+import re
+
 import colour
 import numpy as np
 import pytest
@@ -72,6 +74,18 @@ def test_illuminants_are_all_that_colour_science_has_of_the_cie():
     theirs = {name.replace("FL", "F") for name in colour.SDS_ILLUMINANTS if not name.startswith("ISO")}
     assert set(illuminants.names()) == theirs
     assert observers.names() == ("1931", "1964")
+
+
+def test_illuminants_are_what_their_titles_say():
+    for name in illuminants.names():
+        stated = re.search(r"(\d+) K", illuminants.title(name))
+        if stated is None:
+            assert name == "E"
+            continue
+        xyz = observers.colour_matching_functions().T @ illuminants.power(name)
+        uv = colour.UCS_to_uv(colour.XYZ_to_UCS(xyz / xyz[1]))
+        temperature = colour.temperature.uv_to_CCT_Ohno2013(uv)[0]
+        assert temperature == pytest.approx(float(stated[1]), rel=0.01), name
 
 
 @pytest.mark.parametrize("space, name", [("Rec.709", "ITU-R BT.709"), ("Rec.2020", "ITU-R BT.2020"),

@@ -17,6 +17,8 @@ def test_list(capsys):
     assert {"copper", "gold", "vinyl"} <= {preset["name"] for preset in json.loads(capsys.readouterr().out)}
     assert main(["list"]) == 0
     assert "main/Cu/Johnson" in capsys.readouterr().out
+    assert main(["list", "illuminants"]) == 0
+    assert "LED-B3" in capsys.readouterr().out
 
 
 def test_bake_for_people(capsys):
