@@ -11,7 +11,7 @@ from ..spectra.search import search
 from .baking import CURVE_TOLERANCE, FORMULAS, FresnelCurve
 from .colour import delta_e_2000, lab
 from .curve import knots
-from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
+from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, material, reflect
 
 __all__ = ["Check", "check", "Measurement", "Spread", "spread"]
 
@@ -179,12 +179,16 @@ def spread(what, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
 def _dataset_of(what):
     """The dataset of a preset, of an id, or of the best that a search finds."""
     try:
-        return reflect(what).constants.dataset
+        dataset = material(what)[1].dataset
     except FacetFilmError:
         found = search(what, 1) if isinstance(what, str) and what.count("/") < 2 else ()
         if not found:
             raise
-        return found[0].dataset
+        dataset = found[0].dataset
+    if dataset not in optical_constants.dataset_ids():
+        raise FacetFilmError(
+            f"{dataset or what!r} is no dataset of the database; name one, or a material of it.")
+    return dataset
 
 
 def _same_material(dataset):

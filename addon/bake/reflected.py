@@ -148,7 +148,7 @@ def material(what):
     if not isinstance(what, str):
         raise FacetFilmError(f"A material is a preset's name or a dataset's id, not {what!r}.")
     preset = presets.find(what)
-    return preset, optical_constants.load(preset.dataset)
+    return preset, presets.constants(preset)
 
 
 def _unnamed(constants):

@@ -6,9 +6,10 @@ import functools
 import numpy as np
 
 from ..errors import FacetFilmError, choice
+from ..reflectance import fresnel
 from . import dispersion, names, tables
 
-__all__ = ["OpticalConstants", "load", "dataset_ids", "VISIBLE_NM", "SOURCE"]
+__all__ = ["OpticalConstants", "load", "from_normal_reflectance", "dataset_ids", "VISIBLE_NM", "SOURCE"]
 
 VISIBLE_NM = (360.0, 780.0)
 CORE_NM = (400.0, 700.0)
@@ -63,6 +64,25 @@ class OpticalConstants:
     def covers_visible(self):
         """Whether 400 to 700 nm were measured wholly."""
         return self.range_nm[0] <= CORE_NM[0] and self.range_nm[1] >= CORE_NM[1]
+
+
+def from_normal_reflectance(wavelength_nm, reflectance, dataset, **about):
+    """OpticalConstants that stand for a normal reflectance: k = 0 and the effective index of each wavelength.
+
+    wavelength_nm  ascending, ``(W,)``
+    reflectance    at normal incidence, [0, 1], ``(W,)``; linear in between
+    dataset, about as OpticalConstants has them: title, citation, licence …
+
+    n = (1 + √F0)/(1 − √F0).  Cook and Torrance 1982.
+
+    >>> from_normal_reflectance([400.0, 700.0], [0.04, 0.04], "glass").at(550.0)[0].round(6).tolist()
+    1.5
+    """
+    measured = np.asarray(wavelength_nm, float)
+    wavelength = np.unique(np.concatenate([measured, np.arange(np.ceil(measured[0]), measured[-1])]))
+    n = fresnel.index_from_normal(np.interp(wavelength, measured, reflectance))
+    return OpticalConstants(wavelength, n, np.zeros_like(n), dataset, has_k=False, normal_only=True,
+                            range_nm=(float(measured[0]), float(measured[-1])), **about)
 
 
 def dataset_ids():

@@ -6,8 +6,9 @@ import json
 import pathlib
 
 from ..errors import FacetFilmError, choice
+from . import optical_constants
 
-__all__ = ["Preset", "find", "names", "all_presets"]
+__all__ = ["Preset", "find", "constants", "names", "all_presets"]
 
 FILE = pathlib.Path(__file__).parent / "data" / "presets.json"
 
@@ -19,7 +20,8 @@ class Preset:
     name          what scripts call it, small letters and underscores
     title         what people call it
     kind          "metal", "dielectric", "semiconductor", "liquid", … for lists
-    dataset       "shelf/book/page" whose F is the specular part's
+    dataset       "shelf/book/page" whose F is the specular part's; "" where there is none
+    reflectance   in place of a dataset: ((wavelength in nm, normal reflectance), …), k = 0
     aliases       other names
     specular      s, the specular fraction; d = 1 − s
     slopes        ((rms slope m, weight w), …)
@@ -34,7 +36,8 @@ class Preset:
     name: str
     title: str
     kind: str
-    dataset: str
+    dataset: str = ""
+    reflectance: tuple = ()
     aliases: tuple = ()
     specular: float = 1.0
     slopes: tuple = ((0.2, 1.0),)
@@ -42,6 +45,20 @@ class Preset:
     diffuse: object = "specular"
     note: str = ""
     estimated: str = ""
+
+
+def constants(preset):
+    """The OpticalConstants of a Preset: its dataset's, or those of its normal reflectance.
+
+    >>> constants(find("copper")).dataset
+    'main/Cu/Johnson'
+    """
+    if preset.dataset:
+        return optical_constants.load(preset.dataset)
+    wavelength_nm, reflectance = zip(*preset.reflectance)
+    return optical_constants.from_normal_reflectance(
+        wavelength_nm, reflectance, f"preset {preset.name}", title=preset.title,
+        citation=preset.estimated or preset.note, licence="CC0-1.0")
 
 
 @functools.lru_cache(maxsize=1)
@@ -91,6 +108,6 @@ def _plain(name):
 
 
 def _preset(record):
-    lists = {key: tuple(map(tuple, value)) if key == "slopes" else tuple(value)
+    lists = {key: tuple(map(tuple, value)) if key in {"slopes", "reflectance"} else tuple(value)
              for key, value in record.items() if isinstance(value, list)}
     return Preset(**{**record, **lists})

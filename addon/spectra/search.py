@@ -95,16 +95,20 @@ def _records():
     """(Found, its names as words, all its text as words), presets first."""
     _, index, values = tables.read("refractiveindex")
     datasets = {record[0]: record for record in index["records"]}
-    found = [_preset(preset, datasets[preset.dataset], index) for preset in presets.all_presets().values()]
+    found = [_preset(preset, datasets.get(preset.dataset), index)
+             for preset in presets.all_presets().values()]
     for record in sorted(datasets.values(), key=lambda record: SHELVES.index(record[0].split("/")[0])):
         found.append(_dataset(record, index, values))
     return found
 
 
 def _preset(preset, record, index):
-    entry = Found(preset.name, preset.title, preset.kind, preset.dataset, True, _covers(record))
-    named = _text(preset.name, preset.title, preset.kind, *preset.aliases,
-                  *names.material_names(preset.dataset), *preset.dataset.split("/")[1:])
+    covers = presets.constants(preset).covers_visible
+    entry = Found(preset.name, preset.title, preset.kind, preset.dataset, True, covers)
+    named = _text(preset.name, preset.title, preset.kind, *preset.aliases)
+    if record is None:
+        return entry, named, named + _text(preset.note, preset.estimated)
+    named += _text(*names.material_names(preset.dataset), *preset.dataset.split("/")[1:])
     return entry, named, named + _text(record[1], preset.note) + _text(index["citations"][record[2]])
 
 

@@ -42,6 +42,8 @@ def test_gold_differs_from_lab_to_lab():
     assert spread("tungsten").material == "Tungsten"
     with pytest.raises(FacetFilmError):
         spread("xyzzyq")
+    with pytest.raises(FacetFilmError, match="no dataset of the database"):
+        spread(OpticalConstants([400.0, 700.0], [1.5, 1.5], [0.0, 0.0], "mine.csv"))
 
 
 def test_ways_of_a_grey_dielectric_agree():

