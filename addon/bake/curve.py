@@ -12,6 +12,7 @@ def knots(x, y, tolerance=1e-3):
 
     x  ascending, ``(N,)``
     y  ``(N, C)``: C curves that share their knots
+    tolerance  above 1e-5, as slopes are compared in single precision
 
     Straight lines between the kept samples are within the tolerance of all
     samples, and no smaller choice of samples is.
@@ -45,7 +46,8 @@ def _reachable(x, y, tolerance):
     slope to j has to be in the ranges of all of them.
     """
     per_run, later = _per_run(tuple(x))
-    slope = (y.T[:, None, :] - y.T[:, :, None]) * per_run
+    y = np.ascontiguousarray(y.T, np.float32)
+    slope = (y[:, None, :] - y[:, :, None]) * per_run
     slack = np.where(later, tolerance * per_run, np.inf)
     inside = ((slope >= np.maximum.accumulate(slope - slack, axis=2))
               & (slope <= np.minimum.accumulate(slope + slack, axis=2)))
@@ -57,4 +59,4 @@ def _per_run(x):
     """1/(xj − xi) and whether j > i, ``(N, N)`` each; 0 where it is not."""
     run = np.subtract.outer(x, x).T
     later = run > 0.0
-    return np.where(later, 1.0 / np.where(later, run, 1.0), 0.0), later
+    return np.where(later, 1.0 / np.where(later, run, 1.0), 0.0).astype(np.float32), later

@@ -142,7 +142,7 @@ def material(what):
     """
     if isinstance(what, optical_constants.OpticalConstants):
         return _unnamed(what), what
-    if isinstance(what, str) and what.count("/") >= 2:
+    if isinstance(what, str) and "/" in what:
         constants = optical_constants.load(what)
         return _unnamed(constants), constants
     if not isinstance(what, str):
