@@ -9,6 +9,9 @@ __all__ = ["GROUPS", "node_group", "group_id", "socket_named"]
 
 GROUPS = {
     "cook_torrance_fast": "cook_torrance_fast",
+    "layered_rgb_fast": "layered_rgb_fast",
+    "layered_rgb_exact": "layered_rgb_exact",
+    "layer_thickness": "layer_thickness",
 }
 """Group id -> module of addon.nodes with NAME, VERSION and build()."""
 

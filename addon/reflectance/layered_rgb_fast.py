@@ -267,5 +267,8 @@ def _leaned_lobe(view, n0, direction, index, exponent, inside_cos, outside_cos, 
     slope_in = slope * minimum(inside_cos / height, MOST_STRETCH)
     lean = minimum(lean * (2.0 * slope_in * slope_in / height), MOST_LEAN)
     normal = half_vector(view, normalize(direction + widen(lean) * n0))
-    return SimpleNamespace(normal=normal, colour=colour, slope_in=slope_in,
+    # A native lobe loses what of it lies below the horizon; the colours are what is to be reflected.
+    clearance = (HALF_PI - arccos(outside_cos) + lean) / maximum(1.4142 * slope_in, SMALLEST)
+    kept = above(minimum(clearance, 4.0))
+    return SimpleNamespace(normal=normal, colour=colour / widen(kept), slope_in=slope_in,
                            slope_across=slope / maximum(dot(view, normal), LEAST_V_H))
