@@ -6,6 +6,7 @@ import numpy as np
 
 from ..errors import choice
 from ..reflectance import fresnel
+from .colour import lab
 from .curve import knots
 from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_of
 from .gamut import GamutReport
@@ -19,9 +20,9 @@ FORMULAS = {"exact": fresnel.conductor, "blender-4.5": fresnel.conductor_blender
 FITTED = COMPARED[::2]
 CURVE_TOLERANCE = 8.8e-4
 """Of the sampled curve; leaves room for what lies between the samples, within 0.001 in all."""
-SHARPEST_BEND = 1.5e-3
+SHARPEST_BEND = 2e-3
 """Second difference of a curve's samples near grazing above which that room is not enough."""
-NEAR_GRAZING = 16.0 / 255.0 * np.linspace(0.0, 1.0, 161)[:-1] ** 2
+NEAR_GRAZING = 12.0 / 255.0 * np.linspace(0.0, 1.0, 97)[:-1] ** 2
 """cos θ of the finer samples that such a curve gets: gases, whose n is nearly 1, bend within a degree."""
 N_RANGE, K_RANGE = (1e-3, 20.0), (0.0, 40.0)
 
@@ -134,9 +135,10 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     choice("formula", formula, FORMULAS)
     reflected = reflect(preset, Viewing(illuminant, observer, space, adapt, gamut), from_normal_reflectance)
     colours, mapped = reflected.colours, reflected.mapped
-    metric = colour_metric(mapped[FITTED], space)
-    conductor = fit_conductor(reflected, formula, metric)
-    f82 = fit_f82(reflected, metric)
+    target_lab = lab(mapped, space)
+    metric = colour_metric(mapped[FITTED], target_lab[FITTED], space)
+    conductor = fit_conductor(reflected, formula, metric, target_lab[COMPARED])
+    f82 = fit_f82(reflected, metric, target_lab[COMPARED])
     constants, record, viewing = reflected.constants, reflected.preset, reflected.viewing
     return Bake(
         name=record.name, title=record.title, kind=record.kind,
@@ -165,7 +167,7 @@ def curve_of(reflected):
     return FresnelCurve(tuple(cos_theta[chosen].tolist()), tuple(map(tuple, rgb[chosen].tolist())))
 
 
-def fit_conductor(reflected, formula, metric):
+def fit_conductor(reflected, formula, metric, target_lab):
     """The ConductorFit of a Reflected; the means of its spectrum of n and k say where to start.
 
     The search is over n and k²: reflectance has a slope over k² at k = 0, but none over k.
@@ -178,14 +180,14 @@ def fit_conductor(reflected, formula, metric):
     n, k2 = fit(family, reflected.mapped[FITTED], start, (N_RANGE[0], K_RANGE[0] ** 2),
                 (N_RANGE[1], K_RANGE[1] ** 2), metric)
     fitted = reflectance(ANGLES[COMPARED, None], n, np.sqrt(k2))
-    delta_e = largest_delta_e(fitted, reflected.mapped[COMPARED], reflected.viewing.space)
+    delta_e = largest_delta_e(fitted, target_lab, reflected.viewing.space)
     return ConductorFit(tuple(n.tolist()), tuple(np.sqrt(k2).tolist()), formula, delta_e)
 
 
 F82_CURVES = linear_family_of(fresnel.f82_unclamped, ANGLES[FITTED])
 
 
-def fit_f82(reflected, metric):
+def fit_f82(reflected, metric, target_lab):
     """The F82Fit of a Reflected; the search is over F0 and the model's factor b, in which it is linear."""
     rgb = reflected.mapped
     at_82 = fresnel.schlick(fresnel.COS_THETA_82, rgb[AT_NORMAL])
@@ -193,7 +195,7 @@ def fit_f82(reflected, metric):
     f0, b = fit(F82_CURVES, rgb[FITTED], start, (0.0, 0.0), (1.0, 1.0 / fresnel.F82_LOBE), metric)
     tint = np.clip(1.0 - b * fresnel.F82_LOBE / fresnel.schlick(fresnel.COS_THETA_82, f0), 0.0, 1.0)
     fitted = fresnel.f82(ANGLES[COMPARED, None], f0, tint)
-    delta_e = largest_delta_e(fitted, rgb[COMPARED], reflected.viewing.space)
+    delta_e = largest_delta_e(fitted, target_lab, reflected.viewing.space)
     return F82Fit(tuple(f0.tolist()), tuple(tint.tolist()), delta_e)
 
 

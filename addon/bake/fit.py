@@ -96,24 +96,26 @@ def linear_family_of(formula, cos_theta):
     return family
 
 
-def largest_delta_e(rgb, target, space="Rec.709"):
-    """The largest CIEDE2000 between colours ``(A, 3)`` and ``(A, 3)``.
+def largest_delta_e(rgb, target_lab, space="Rec.709"):
+    """The largest CIEDE2000 between linear RGB ``(A, 3)`` and L*a*b* ``(A, 3)``.
 
-    >>> float(largest_delta_e(np.full((2, 3), 0.5), np.full((2, 3), 0.5)))
+    >>> float(largest_delta_e(np.full((2, 3), 0.5), lab(np.full((2, 3), 0.5))))
     0.0
     """
-    return float(delta_e_2000(lab(target, space), lab(rgb, space)).max())
+    return float(delta_e_2000(target_lab, lab(rgb, space)).max())
 
 
-def colour_metric(rgb, space="Rec.709"):
+def colour_metric(rgb, rgb_lab, space="Rec.709"):
     """``(A, 3, 3)``: the quadratic form in changes of linear RGB that CIEDE2000² is near each colour.
+
+    rgb, rgb_lab  the colours in linear RGB and in L*a*b*, ``(A, 3)`` each
 
     From differences along each channel, and along pairs of them by polarisation.
     """
     pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]
     eye = np.eye(3)
     changes = 1e-5 * np.array([eye[i] if i == j else eye[i] + eye[j] for i, j in pairs])
-    squares = (delta_e_2000(lab(rgb, space), lab(rgb + changes[:, None], space)) / 1e-5) ** 2
+    squares = (delta_e_2000(rgb_lab, lab(rgb + changes[:, None], space)) / 1e-5) ** 2
     metric = np.empty((len(rgb), 3, 3))
     for (i, j), square in zip(pairs, squares):
         metric[:, i, j] = metric[:, j, i] = square if i == j else 0.5 * (square - squares[i] - squares[j])
