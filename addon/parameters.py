@@ -60,8 +60,8 @@ class CookTorrance:
         >>> CookTorrance().changed(speculr=0.1)
         Traceback (most recent call last):
         ...
-        addon.errors.FacetFilmError: parameter 'speculr' is unknown; did you mean 'specular'? Valid: 'slopes', \
-'distribution', 'specular', 'n', 'k', 'diffuse', 'scale', 'gaussian_c', 'sampling_width'.
+        addon.errors.FacetFilmError: parameter 'speculr' is unknown; did you mean 'specular' or 'scale'? Valid: \
+'slopes', 'distribution', 'specular', 'n', 'k', 'diffuse', 'scale', 'gaussian_c', 'sampling_width'.
         """
         for name in parameters:
             choice("parameter", name, self.__dataclass_fields__)

@@ -19,13 +19,18 @@ AMBIENT_SHARE = 0.01
 """The paper's Iia = 0.01 Ii.  Taken of the lights' irradiance: of their radiance, as printed, the ambient
 light would outshine lamps of so small a solid angle three hundredfold."""
 
-VASES = (("6a copper-coloured plastic vase", "figure_6a"), ("6b copper vase", "figure_6b"))
+VASES = (
+    ("6a copper-coloured plastic vase", "figure_6a", "published"),
+    ("6b copper vase", "figure_6b", "energy"),
+)
+"""Title, preset and scale.  At a quarter of the printed scale the plastic's highlights would drown in its
+diffuse part; at the full printed scale the metal reflects more light than arrives."""
 
 
 def build_scene(width, samples):
     """The lit scene without a vase."""
     scene = new_scene((width, width * 5 // 4), samples)
-    irradiances = [solid_angle / SOLID_ANGLES[0] * 1.1 for solid_angle in SOLID_ANGLES]
+    irradiances = [solid_angle / SOLID_ANGLES[0] * 0.9 for solid_angle in SOLID_ANGLES]
     add_sun_of_solid_angle(scene, SOLID_ANGLES[0], irradiances[0], (-0.9, -0.55, 0.6))
     add_sun_of_solid_angle(scene, SOLID_ANGLES[1], irradiances[1], (0.75, -0.85, 0.95))
     set_ambient(scene, AMBIENT_SHARE * sum(irradiances))
@@ -38,23 +43,24 @@ def main(arguments=None):
     """The demo, from the command line."""
     parser = argparse.ArgumentParser(prog="python -m demo_blend.vases", description=__doc__.split("\n")[0])
     parser.add_argument("--out", type=Path, default=Path("out"), help="folder for pictures and .blend (out)")
-    parser.add_argument("--samples", type=int, default=96, help="samples a pixel (96)")
-    parser.add_argument("--width", type=int, default=640, help="width of the pictures in pixels (640)")
+    parser.add_argument("--samples", type=int, default=64, help="samples a pixel (64)")
+    parser.add_argument("--width", type=int, default=560, help="width of the pictures in pixels (560)")
     options = parser.parse_args(arguments)
     options.out.mkdir(parents=True, exist_ok=True)
 
     import bpy
 
     from addon import api
-    from addon.cli import table_of
+    from addon.cli_text import baked
 
     from .progress import render_with_progress
     print("Baked from measured optical constants for this Blender, CIE D65, 1931 2° observer:\n")
-    print(table_of([api.bake(name) for name in ("copper", "gold", "vinyl")]))
+    for name in ("copper", "gold", "vinyl"):
+        print(baked(api.bake(name)) + "\n")
 
     scene = build_scene(options.width, options.samples)
-    vases = [turned_object(title, VASE_PROFILE, api.create_material(preset=preset, name=title))
-             for title, preset in VASES]
+    vases = [turned_object(title, VASE_PROFILE, api.create_material(preset=preset, name=title, scale=scale))
+             for title, preset, scale in VASES]
     for shown in vases:
         for vase in vases:
             vase.hide_render = vase.hide_viewport = vase is not shown

@@ -9,6 +9,7 @@ __all__ = ["GROUPS", "node_group", "group_id", "socket_named"]
 
 GROUPS = {
     "cook_torrance_fast": "cook_torrance_fast",
+    "cook_torrance_fast_f82": "cook_torrance_fast_f82",
     "layered_rgb_fast": "layered_rgb_fast",
     "layered_rgb_exact": "layered_rgb_exact",
     "layer_thickness": "layer_thickness",

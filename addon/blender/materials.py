@@ -11,10 +11,13 @@ __all__ = ["apply_cook_torrance", "group_node", "parameters_of", "record_of", "r
 GROUP_OF = {"fast": "cook_torrance_fast"}
 """Realisation -> id of the node group that renders it."""
 
+F82_GROUP_OF = {"fast": "cook_torrance_fast_f82"}
+"""The same where F82 comes closer than this Blender's conductor."""
+
 RECORD_KEY = "facet_film"
 
 
-def apply_cook_torrance(material, parameters, realisation, record):
+def apply_cook_torrance(material, parameters, realisation, record, *, by_f82=False):
     """Make the material a Cook-Torrance of these parameters, in place of what fed its surface.
 
     record is kept in the material as JSON: what was baked, from which dataset,
@@ -22,7 +25,7 @@ def apply_cook_torrance(material, parameters, realisation, record):
     """
     enable_nodes(material)
     tree = material.node_tree
-    group = node_group(GROUP_OF[realisation])
+    group = node_group((F82_GROUP_OF if by_f82 else GROUP_OF)[realisation])
     node = group_node(material)
     if node is None:
         tree.nodes.clear()
@@ -80,7 +83,7 @@ def group_node(material):
     if material is None or material.node_tree is None:
         return None
     for node in material.node_tree.nodes:
-        if node.bl_idname == "ShaderNodeGroup" and group_id(node.node_tree) in GROUP_OF.values():
+        if node.bl_idname == "ShaderNodeGroup" and realisation_of_group(node.node_tree):
             return node
     return None
 
@@ -88,8 +91,17 @@ def group_node(material):
 def realisation_of(material):
     """"fast", "exact" …, or None for a material that is not ours."""
     node = group_node(material)
-    identifier = group_id(node.node_tree) if node else None
-    return next((name for name, group in GROUP_OF.items() if group == identifier), None)
+    return realisation_of_group(node.node_tree) if node else None
+
+
+def realisation_of_group(tree):
+    """The realisation that a node group is, or None for a group that is not ours."""
+    identifier = group_id(tree)
+    for groups in (GROUP_OF, F82_GROUP_OF):
+        for realisation, group in groups.items():
+            if group == identifier:
+                return realisation
+    return None
 
 
 def record_of(material):
