@@ -7,6 +7,7 @@ import numpy as np
 from ..errors import FacetFilmError, choice
 from ..reflectance import fresnel
 from ..spectra import illuminants, names, observers, optical_constants, presets
+from ..spectra.search import search
 from .colour import SPACES, rgb_to_xyz, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
@@ -147,7 +148,14 @@ def material(what):
         return _unnamed(constants), constants
     if not isinstance(what, str):
         raise FacetFilmError(f"A material is a preset's name or a dataset's id, not {what!r}.")
-    preset = presets.find(what)
+    try:
+        preset = presets.find(what)
+    except FacetFilmError:
+        fitting = search(what, 4, guess=False) if what.strip() else []
+        if not fitting:
+            raise
+        some = ", ".join(repr(found.id) for found in fitting[:3]) + (", …" if len(fitting) > 3 else "")
+        raise FacetFilmError(f"preset {what!r} is unknown; what fits these words: {some}.") from None
     return preset, presets.constants(preset)
 
 

@@ -1,11 +1,12 @@
 """Optical constants n and k over wavelength: the record, and the database they are loaded from."""
 
 import dataclasses
+import difflib
 import functools
 
 import numpy as np
 
-from ..errors import FacetFilmError, choice
+from ..errors import FacetFilmError
 from ..reflectance import fresnel
 from . import dispersion, names, tables
 
@@ -127,7 +128,12 @@ def _refuse(dataset, left_out, places):
     if dataset in left_out["outside the visible"]:
         raise FacetFilmError(f"Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; "
                              "choose another.")
-    choice("dataset", dataset, places)
+    book = "/".join(str(dataset).split("/")[:2]) + "/"
+    same_material = [other for other in places if other.startswith(book)]
+    near = difflib.get_close_matches(str(dataset), same_material or places, 3, 0.6) or same_material[:3]
+    hint = f"; did you mean {' or '.join(map(repr, near))}?" if near else "."
+    raise FacetFilmError(f"dataset {dataset!r} is unknown{hint} Datasets are named 'shelf/book/page', "
+                         "as refractiveindex.info does; a search finds them.")
 
 
 @functools.lru_cache(maxsize=1)

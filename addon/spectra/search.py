@@ -35,14 +35,14 @@ class Found:
     covers_visible: bool
 
 
-def search(text, limit=50):
+def search(text, limit=50, *, guess=True):
     """The materials that every word of the text fits, best first.
 
     text   words in any order: "brass", "gold babar", "TiO2", "titanium oxide"
     limit  at most so many; None for all
+    guess  whether words of which nothing is known are read as the nearest known ones
 
-    Presets come first among equals, then datasets by shelf.  Where nothing
-    fits, words that are misspelt are read as the nearest known ones.
+    Presets come first among equals, then datasets by shelf.
 
     >>> [found.id for found in search("gold babar", 2)]
     ['gold', 'main/Au/Babar']
@@ -51,7 +51,7 @@ def search(text, limit=50):
     """
     words = _words(text)
     found = _fitting(words)
-    if not found and words:
+    if not found and words and guess:
         found = _fitting([_nearest(word) for word in words])
     return found[:limit]
 

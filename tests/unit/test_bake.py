@@ -108,6 +108,18 @@ def test_unknown_choices_are_clear_errors(options):
         bake("copper", **options)
 
 
+def test_an_unknown_preset_is_answered_with_what_fits_its_words():
+    with pytest.raises(FacetFilmError, match="did you mean 'copper'"):
+        bake("coper")
+    with pytest.raises(FacetFilmError, match="'main/Au/Johnson'"):
+        bake("gold johnson")
+    with pytest.raises(FacetFilmError, match="did you mean .main/Cu/"):
+        bake("main/Cu")
+    for nothing in ("", " ", None, 3):
+        with pytest.raises(FacetFilmError):
+            bake(nothing)
+
+
 def test_the_record_has_the_documented_keys():
     record = bake("copper").to_dict()
     assert set(record) >= {"name", "title", "kind", "source", "illuminant", "observer", "space", "f0",
