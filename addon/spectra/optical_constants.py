@@ -10,7 +10,10 @@ from ..errors import FacetFilmError
 from ..reflectance import fresnel
 from . import dispersion, names, tables
 
-__all__ = ["OpticalConstants", "load", "from_normal_reflectance", "dataset_ids", "VISIBLE_NM", "SOURCE"]
+__all__ = [
+    "OpticalConstants", "load", "from_normal_reflectance", "dataset_ids", "sampled_formula",
+    "on_common_wavelengths", "VISIBLE_NM", "CORE_NM", "SOURCE",
+]
 
 VISIBLE_NM = (360.0, 780.0)
 CORE_NM = (400.0, 700.0)
@@ -113,7 +116,7 @@ def load(dataset):
     _, title, citation, comment, n_model, k_model = index["records"][places[dataset]]
     n_points = _points(n_model, values)
     k_points = _points(k_model, values) if k_model else (n_points[0][:1], np.zeros(1))
-    wavelength, n, k = _on_common_wavelengths(n_points, k_points)
+    wavelength, n, k = on_common_wavelengths(n_points, k_points)
     ranges = [model[-2:] for model in (n_model, k_model) if model]
     return OpticalConstants(
         wavelength, n, np.maximum(k, 0.0), dataset, names.title_of(dataset, title),
@@ -150,9 +153,21 @@ def _points(model, values):
         wavelength = np.round(values[place_w:place_w + count].astype(float) * 1000.0, 4)
         return _ascending(wavelength), values[place_v:place_v + count].astype(float)
     formula, place, count, low, high = model
+    return sampled_formula(formula, values[place:place + count], low, high)
+
+
+def sampled_formula(formula, coefficients, low, high):
+    """(wavelengths in nm, n): a dispersion formula at every nm of its range within 360 to 780 nm.
+
+    formula, coefficients  as :func:`addon.spectra.dispersion.index` has them
+    low, high              range, nm; some of it within 360 to 780
+
+    >>> sampled_formula(5, [1.5], 400.0, 402.5)[0].tolist()
+    [400.0, 401.0, 402.0, 402.5]
+    """
     low, high = max(low, VISIBLE_NM[0]), min(high, VISIBLE_NM[1])
     wavelength = np.unique(np.concatenate([[low], np.arange(np.ceil(low), high), [high]]))
-    return wavelength, dispersion.index(formula, values[place:place + count], wavelength / 1000.0)
+    return wavelength, dispersion.index(formula, coefficients, wavelength / 1000.0)
 
 
 def _ascending(wavelength):
@@ -166,8 +181,16 @@ def _ascending(wavelength):
     return np.minimum.accumulate((wavelength - apart)[::-1])[::-1] + apart
 
 
-def _on_common_wavelengths(n_points, k_points):
-    """(wavelengths, n, k): linear interpolation between them gives what it gave between each one's own."""
+def on_common_wavelengths(n_points, k_points):
+    """(wavelengths, n, k): linear interpolation between them gives what it gave between each one's own.
+
+    n_points, k_points  (wavelengths, values), ``(W,)`` each, W of either one's own
+
+    >>> n = np.array([400.0, 700.0]), np.array([1.0, 2.0])
+    >>> k = np.array([500.0, 700.0]), np.array([0.0, 1.0])
+    >>> [found.round(3).tolist() for found in on_common_wavelengths(n, k)]
+    [[400.0, 500.0, 700.0], [1.0, 1.333, 2.0], [0.0, 0.0, 1.0]]
+    """
     (n_wavelength, n), (k_wavelength, k) = n_points, k_points
     if np.array_equal(n_wavelength, k_wavelength):
         return n_wavelength, n, k
