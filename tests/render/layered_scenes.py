@@ -1,18 +1,23 @@
 """Layered RGB materials in the probe scenes, and what the formula says of their pixels."""
 
+import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 import bpy
 import numpy as np
 
-from addon.blender.groups import socket_named
-from addon.blender.layered_materials import apply_layered_rgb, layered_node
+from addon.blender.layered_materials import apply_layered_rgb, layered_node, layered_socket
 from addon.layered_parameters import layered_rgb_parameters
 from addon.reflectance import layered_rgb as layered
 from tests.render import probes
 
 __all__ = ["material", "Reference", "furnace_tiles", "furnace_means", "sphere_reference", "hemisphere", "rings",
            "TILE_ANGLES"]
+
+# Blender's own modules, which a full Blender has on its path: a Script node without oslquery gets no sockets.
+sys.path.append(str(Path(bpy.utils.resource_path("LOCAL")) / "python" / "lib"
+                    / f"python{sys.version_info.major}.{sys.version_info.minor}" / "site-packages"))
 
 EAST = np.array([1.0, 0.0, 0.0])
 TILE_ANGLES = np.radians([0.0, 15.0, 30.0, 45.0, 60.0, -20.0, -40.0, -60.0])
@@ -27,7 +32,7 @@ def material(realisation, **parameters):
     tree = made.node_tree
     east = tree.nodes.new("ShaderNodeCombineXYZ")
     east.inputs[0].default_value = 1.0
-    tree.links.new(east.outputs[0], socket_named(layered_node(made), "Tangent"))
+    tree.links.new(east.outputs[0], layered_socket(layered_node(made), "Tangent"))
     return made
 
 
@@ -67,7 +72,7 @@ class Reference:
 
 
 def hemisphere(polar=240, azimuthal=200):
-    """Directions over the hemisphere about Z, (n, 3), and their solid angles: Gauss in the cosine, even in azimuth."""
+    """Directions about Z, (n, 3), and their solid angles: Gauss in the cosine, even in azimuth."""
     nodes, weights = np.polynomial.legendre.leggauss(polar)
     z, w = (nodes + 1) / 2, weights / 2
     phi = (np.arange(azimuthal) + 0.5) / azimuthal * 2 * np.pi
