@@ -5,13 +5,16 @@
 """
 
 from .errors import FacetFilmError, choice
-from .parameters import CookTorrance
+from .parameters import REALISATIONS, CookTorrance
 
-__all__ = ["bake", "create_fresnel_ramp", "create_material", "MODELS"]
+__all__ = ["bake", "create_fresnel_ramp", "create_material", "switch_realisation", "MODELS", "REALISATIONS"]
 
-MODELS = ("cook_torrance",)
+MODELS = ("cook_torrance", "layered_rgb")
 FAR_OFF = 1.0
 """CIEDE2000 from which a conductor's fit is given up where F82 comes closer."""
+
+NATIVE_FRESNEL = ("fast", "osl_fast")
+"""Realisations whose Fresnel term is the renderer's own."""
 
 
 def bake(preset, **options):
@@ -35,28 +38,68 @@ def create_material(model="cook_torrance", *, preset=None, realisation="fast", n
                     **parameters):
     """A Cycles material of one of the models.
 
-    model        "cook_torrance"
-    preset       preset name or alias, or a dataset; None for the parameters alone
-    realisation  "fast"
+    model        "cook_torrance", or "layered_rgb"
+    preset       preset name or alias, or for Cook-Torrance a dataset; None for the parameters alone
+    realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL)
+                 or "osl_fast" (closures, by OSL)
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     parameters   of the model, over the preset's own: see :class:`addon.parameters.CookTorrance`
+                 and :class:`addon.layered_parameters.LayeredRGB`
 
     Returns the bpy.types.Material.  Raises FacetFilmError, before anything is
-    made or changed, for an unknown name or a value out of range.
+    made or changed, for an unknown name, a value out of range, or a realisation
+    that this Blender cannot compile.
     """
     import bpy
 
-    from .blender.materials import GROUP_OF, apply_cook_torrance
+    from .blender import materials
     choice("model", model, MODELS)
-    choice("realisation", realisation, GROUP_OF)
+    choice("realisation", realisation, REALISATIONS)
     if name is not None and (not isinstance(name, str) or not name):
         raise FacetFilmError(f"name must be a text with at least one letter, not {name!r}.")
-    checked, record, by_f82 = cook_torrance_from_preset(preset, parameters)
+    by_f82 = False
+    if model == "layered_rgb":
+        checked, record = layered_from_preset(preset, parameters)
+    else:
+        checked, record, by_f82 = cook_torrance_from_preset(preset, parameters, realisation)
+    _require_osl(realisation)
     if material is None:
-        material = bpy.data.materials.new(name or record.get("title") or "Cook-Torrance")
-    apply_cook_torrance(material, checked, realisation, record, by_f82=by_f82)
+        material = bpy.data.materials.new(name or record.get("title") or TITLES[model])
+    materials.apply(material, model, checked, realisation, record, by_f82=by_f82)
     return material
+
+
+TITLES = {"cook_torrance": "Cook-Torrance", "layered_rgb": "Layered RGB"}
+
+
+def switch_realisation(material, realisation):
+    """Render one of our materials by another realisation; everything that the user set stays.
+
+    material     a bpy.types.Material made by :func:`create_material`
+    realisation  "fast", "exact", "osl" or "osl_fast"
+
+    Where n and k are still as baked and the other realisation evaluates another
+    Fresnel formula (Blender 4.5), they are baked again for it.  Raises
+    FacetFilmError for a material that is not ours, or an unknown realisation.
+    """
+    from .blender import materials
+    choice("realisation", realisation, REALISATIONS)
+    model = materials.model_of(material)
+    if model is None:
+        raise FacetFilmError(f"{material.name} is not a material of Facet & Film: make one with create_material() "
+                             "or Bake Spectral Preset.")
+    _require_osl(realisation)
+    record = materials.record_of(material)
+    if model == "cook_torrance" and record and _as_baked(materials.parameters_of(material), record):
+        baked, by_f82 = _baked_for(record["name"], realisation, {
+            option: record[option] for option in ("illuminant", "observer", "space")} | {
+            "gamut": record["gamut"]["method"], "adapt": record["adapted"]})
+        parameters = materials.parameters_of(material)
+        materials.switch(material, realisation, by_f82=by_f82)
+        materials.rebake(material, parameters.changed(n=baked.conductor.n, k=baked.conductor.k), baked.to_dict())
+    else:
+        materials.switch(material, realisation)
 
 
 def create_fresnel_ramp(preset, **options):
@@ -69,18 +112,50 @@ def create_fresnel_ramp(preset, **options):
     return fresnel_ramp_group(bake(preset, **options))
 
 
-def cook_torrance_from_preset(preset, parameters):
+def cook_torrance_from_preset(preset, parameters, realisation):
     """Checked parameters of a preset with some overridden, the record of what was baked, and whether
-    F82 is the closure that comes closer.
-
-    Blender 4.5's conductor misses dielectrics by several CIEDE2000; F82 does not,
-    and takes the n and k of the exact equation.
-    """
+    F82 is the closure that comes closer."""
     if preset is None:
         return CookTorrance().changed(**parameters), {}, False
-    baked = bake(preset)
-    by_f82 = baked.best == "f82" and baked.conductor.delta_e_2000_max > FAR_OFF
-    if by_f82:
-        baked = bake(preset, formula="exact")
+    baked, by_f82 = _baked_for(preset, realisation, {})
     defaults = CookTorrance().changed(**baked.cook_torrance_parameters())
     return defaults.changed(**parameters), baked.to_dict(), by_f82
+
+
+def layered_from_preset(preset, parameters):
+    """Checked parameters of a layered preset with some overridden, and what to keep of the preset."""
+    from .layered_parameters import LayeredRGB
+    from .layered_presets import layered_preset
+    if preset is None:
+        return LayeredRGB().changed(**parameters), {}
+    found = layered_preset(preset)
+    record = {"model": "layered_rgb", "name": preset, "title": found.title, "kind": found.kind, "note": found.note}
+    return found.layered_rgb().changed(**parameters), record
+
+
+def _baked_for(preset, realisation, options):
+    """The bake whose n and k belong to what the realisation evaluates, and whether that is F82.
+
+    The formulas take the exact equation.  So does F82, which Fast takes for a
+    dielectric where Blender 4.5's conductor misses it by several CIEDE2000.
+    """
+    exact = bake(preset, **options, formula="exact")
+    if realisation not in NATIVE_FRESNEL:
+        return exact, False
+    baked = bake(preset, **options)
+    by_f82 = baked.best == "f82" and baked.conductor.delta_e_2000_max > FAR_OFF
+    return (exact, True) if by_f82 else (baked, False)
+
+
+def _as_baked(parameters, record):
+    """Whether n and k are still those of the record."""
+    found, baked = (*parameters.n, *parameters.k), (*record["conductor"]["n"], *record["conductor"]["k"])
+    return all(abs(a - b) <= 1e-5 * max(1.0, abs(b)) for a, b in zip(found, baked))
+
+
+def _require_osl(realisation):
+    if realisation in ("osl", "osl_fast"):
+        from .nodes.osl_compiler import why_no_osl
+        reason = why_no_osl()
+        if reason:
+            raise FacetFilmError(reason)

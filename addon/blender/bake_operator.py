@@ -65,6 +65,8 @@ def said_of(material):
     """One sentence on what was baked."""
     from .materials import record_of
     record = record_of(material)
+    if "conductor" not in record:
+        return f"{record['title']}: {record['note']}"
     fit = record["conductor"]["delta_e_2000_max"]
     outside = record["gamut"]["outside"]
     mapped = f"; outside the gamut, mapped by {record['gamut']['method']}" if outside else ""

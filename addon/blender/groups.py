@@ -5,17 +5,33 @@ from importlib import import_module
 
 import bpy
 
-__all__ = ["GROUPS", "node_group", "group_id", "socket_named"]
+__all__ = ["GROUPS", "FAST_OF", "EEVEE_OUTPUT", "node_group", "group_id", "socket_named", "input_names"]
 
 GROUPS = {
     "cook_torrance_fast": "cook_torrance_fast",
     "cook_torrance_fast_f82": "cook_torrance_fast_f82",
-    "layered_rgb_fast": "layered_rgb_fast",
+    "cook_torrance_exact": "cook_torrance_exact",
+    "cook_torrance_osl": "osl_groups.COOK_TORRANCE",
+    "cook_torrance_osl_fast": "osl_groups.COOK_TORRANCE_FAST",
     "layered_rgb_exact": "layered_rgb_exact",
-    "layer_thickness": "layer_thickness",
+    "layered_rgb_fast": "layered_rgb_fast",
+    "layered_rgb_osl": "osl_groups.LAYERED_RGB",
+    "layered_rgb_osl_fast": "osl_groups.LAYERED_RGB_FAST",
+    "layer_thickness": "thickness",
 }
-"""Group id -> module of addon.nodes with NAME, VERSION and build()."""
+"""Group id -> module of addon.nodes, or object in one, with NAME, VERSION and build()."""
 
+FAST_OF = {
+    "cook_torrance_exact": "cook_torrance_fast",
+    "cook_torrance_osl": "cook_torrance_fast",
+    "cook_torrance_osl_fast": "cook_torrance_fast",
+    "layered_rgb_exact": "layered_rgb_fast",
+    "layered_rgb_osl": "layered_rgb_fast",
+    "layered_rgb_osl_fast": "layered_rgb_fast",
+}
+"""Groups that only Cycles can render -> the group that stands in for them in EEVEE."""
+
+EEVEE_OUTPUT = "EEVEE"
 ID_KEY = "facet_film_id"
 VERSION_KEY = "facet_film_version"
 FINGERPRINT_KEY = "facet_film_fingerprint"
@@ -26,16 +42,40 @@ def node_group(identifier):
 
     A group that a user has edited is left alone and not reused.
     """
-    definition = import_module(f"..nodes.{GROUPS[identifier]}", __package__)
+    definition = _definition(identifier)
     for tree in bpy.data.node_groups:
         if (tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == definition.VERSION
                 and not tree.library and tree.get(FINGERPRINT_KEY) == fingerprint(tree)):
             return tree
     tree = definition.build()
+    if identifier in FAST_OF:
+        _add_eevee_output(tree, node_group(FAST_OF[identifier]))
     tree[ID_KEY] = identifier
     tree[VERSION_KEY] = definition.VERSION
     tree[FINGERPRINT_KEY] = fingerprint(tree)
     return tree
+
+
+def _definition(identifier):
+    module, _, name = GROUPS[identifier].partition(".")
+    found = import_module(f"..nodes.{module}", __package__)
+    return getattr(found, name) if name else found
+
+
+def _add_eevee_output(tree, fast):
+    """Give the group a second shader, Fast with the same inputs, for an EEVEE material output."""
+    output = next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
+    inputs = tree.nodes.new("NodeGroupInput")
+    stand_in = tree.nodes.new("ShaderNodeGroup")
+    stand_in.node_tree = fast
+    stand_in.location = (output.location.x - 260, output.location.y - 300)
+    inputs.location = (stand_in.location.x - 260, stand_in.location.y)
+    for name in input_names(fast):
+        tree.links.new(_output_named(inputs, tree, name), socket_named(stand_in, name))
+    item = tree.interface.new_socket(EEVEE_OUTPUT, description="The Fast realisation, for an EEVEE material output",
+                                     in_out="OUTPUT", socket_type="NodeSocketShader")
+    target = next(socket for socket in output.inputs if socket.identifier == item.identifier)
+    tree.links.new(stand_in.outputs[0], target)
 
 
 def group_id(tree):
@@ -61,13 +101,27 @@ def fingerprint(tree):
     return digest.hexdigest()[:16]
 
 
+def input_names(tree):
+    """Names of a group's input sockets, in their order."""
+    return [item.name for item in tree.interface.items_tree
+            if item.item_type == "SOCKET" and item.in_out == "INPUT"]
+
+
 def socket_named(node, name):
     """The input of a group node that belongs to the interface socket of this name.
 
     The interface's names are data of ours, never translated; the node's socket
     is then taken by identifier.
     """
-    for item in node.node_tree.interface.items_tree:
-        if item.item_type == "SOCKET" and item.in_out == "INPUT" and item.name == name:
-            return next(socket for socket in node.inputs if socket.identifier == item.identifier)
+    return _by_interface(node.inputs, node.node_tree, name, "INPUT")
+
+
+def _output_named(group_input, tree, name):
+    return _by_interface(group_input.outputs, tree, name, "INPUT")
+
+
+def _by_interface(sockets, tree, name, in_out):
+    for item in tree.interface.items_tree:
+        if item.item_type == "SOCKET" and item.in_out == in_out and item.name == name:
+            return next(socket for socket in sockets if socket.identifier == item.identifier)
     raise KeyError(name)

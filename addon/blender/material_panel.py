@@ -2,7 +2,7 @@
 
 import bpy
 
-from .materials import group_node, record_of
+from .materials import our_node, record_of
 
 __all__ = ["CLASSES"]
 
@@ -47,7 +47,7 @@ class FACET_FILM_PT_baked(_MaterialPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         """Shown for materials of ours that were baked."""
-        return group_node(context.material) is not None and bool(record_of(context.material))
+        return our_node(context.material) is not None and bool(record_of(context.material))
 
     def draw(self, context):
         """The record of the bake, a line each."""

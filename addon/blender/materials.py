@@ -1,107 +1,128 @@
-"""Cook-Torrance materials: a group node with its sockets set, wired to the output."""
+"""Our materials, whatever the model: a group node with its sockets set, wired to the output."""
 
 import json
 
-from ..parameters import CookTorrance
+from . import cook_torrance_material, layered_material
 from .compat import enable_nodes
-from .groups import group_id, node_group, socket_named
+from .groups import EEVEE_OUTPUT, group_id, input_names, node_group, socket_named
 
-__all__ = ["apply_cook_torrance", "group_node", "parameters_of", "record_of", "realisation_of"]
+__all__ = ["MODELS", "apply", "switch", "rebake", "our_node", "model_of", "realisation_of", "parameters_of", "record_of"]
 
-GROUP_OF = {"fast": "cook_torrance_fast"}
-"""Realisation -> id of the node group that renders it."""
-
-F82_GROUP_OF = {"fast": "cook_torrance_fast_f82"}
-"""The same where F82 comes closer than this Blender's conductor."""
+MODELS = {"cook_torrance": cook_torrance_material, "layered_rgb": layered_material}
+"""Model -> module with GROUP_OF, F82_GROUP_OF, write, read and show_in_viewport."""
 
 RECORD_KEY = "facet_film"
+NODE_WIDTH = 240
 
 
-def apply_cook_torrance(material, parameters, realisation, record, *, by_f82=False):
-    """Make the material a Cook-Torrance of these parameters, in place of what fed its surface.
+def apply(material, model, parameters, realisation, record, *, by_f82=False):
+    """Make the material one of this model and these parameters, in place of what fed its surface.
 
     record is kept in the material as JSON: what was baked, from which dataset,
-    with which error.
+    with which error.  Links into a node of ours that is there already stay.
     """
+    module = MODELS[model]
+    group = node_group((module.F82_GROUP_OF if by_f82 else module.GROUP_OF)[realisation])
     enable_nodes(material)
-    tree = material.node_tree
-    group = node_group((F82_GROUP_OF if by_f82 else GROUP_OF)[realisation])
-    node = group_node(material)
+    node = our_node(material)
     if node is None:
-        tree.nodes.clear()
-        node = tree.nodes.new("ShaderNodeGroup")
-        output = tree.nodes.new("ShaderNodeOutputMaterial")
-        output.location = (300, 0)
-        node.width = 240
-    else:
-        output = next(link.to_node for link in tree.links if link.from_node == node)
+        material.node_tree.nodes.clear()
+        node = material.node_tree.nodes.new("ShaderNodeGroup")
+        node.width = NODE_WIDTH
+    _set_group(material.node_tree, node, group)
+    module.write(node, parameters)
+    material[RECORD_KEY] = json.dumps(record)
+    module.show_in_viewport(material, parameters)
+
+
+def switch(material, realisation, *, by_f82=False):
+    """Render one of our materials by another realisation, keeping every value and link that the user set."""
+    module = MODELS[model_of(material)]
+    group = node_group((module.F82_GROUP_OF if by_f82 else module.GROUP_OF)[realisation])
+    _set_group(material.node_tree, our_node(material), group)
+
+
+def rebake(material, parameters, record):
+    """Write parameters and record of a new bake into one of our materials."""
+    MODELS[model_of(material)].write(our_node(material), parameters)
+    material[RECORD_KEY] = json.dumps(record)
+
+
+def _set_group(tree, node, group):
+    """Give the node this group; values and links go over to sockets of the same name."""
+    if node.node_tree == group:
+        return
+    values, sources = {}, {}
+    if node.node_tree is not None:
+        for name in input_names(node.node_tree):
+            socket = socket_named(node, name)
+            if hasattr(socket, "default_value"):
+                value = socket.default_value
+                values[name] = tuple(value) if hasattr(value, "__len__") else value
+            if socket.is_linked:
+                sources[name] = socket.links[0].from_socket
     node.node_tree = group
     node.label = group.name
-    tree.links.new(node.outputs[0], output.inputs[0])
-    set_sockets(node, parameters)
-    material[RECORD_KEY] = json.dumps(record)
-    material.diffuse_color = (*_viewport_colour(parameters), 1.0)
-    material.metallic = parameters.specular
-    material.roughness = parameters.slopes[0][0] ** 0.5
+    for name in input_names(group):
+        if name in values:
+            socket_named(node, name).default_value = values[name]
+        if name in sources:
+            tree.links.new(sources[name], socket_named(node, name))
+    _wire_outputs(tree, node)
 
 
-def set_sockets(node, parameters):
-    """Write the parameters into the group node's sockets."""
-    slopes = parameters.slopes + tuple((m, 0.0) for m in (0.4, 0.1, 0.6)[len(parameters.slopes) - 1:])
-    values = {
-        "Specular": parameters.specular,
-        "Diffuse Color": (*parameters.diffuse, 1.0),
-        "Refractive Index n": parameters.n,
-        "Extinction k": parameters.k,
-        "Gaussian": float(parameters.distribution == "gaussian"),
-        "Published Scale": float(parameters.scale == "published"),
-        "Gaussian c": parameters.gaussian_c,
-    }
-    for j, (m, w) in enumerate(slopes, 1):
-        values[f"Slope {j}"] = m
-        values[f"Weight {j}"] = w
-    for name, value in values.items():
-        socket_named(node, name).default_value = value
+def _wire_outputs(tree, node):
+    """One material output for all engines, or one for Cycles and one for EEVEE where the group has two shaders."""
+    for output in [n for n in tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]:
+        if output.inputs[0].is_linked and output.inputs[0].links[0].from_node != node:
+            continue
+        tree.nodes.remove(output)
+    wanted = {"ALL": 0}
+    if len(node.outputs) > 1 and node.outputs[1].name == EEVEE_OUTPUT:
+        wanted = {"CYCLES": 0, "EEVEE": 1}
+    for target, index in wanted.items():
+        output = tree.nodes.new("ShaderNodeOutputMaterial")
+        output.target = target
+        output.location = (node.location.x + NODE_WIDTH + 60, node.location.y - 160 * index)
+        tree.links.new(node.outputs[index], output.inputs[0])
 
 
-def parameters_of(node):
-    """The parameters that a group node's sockets hold; textures on a socket are not seen."""
-    def value(name):
-        found = socket_named(node, name).default_value
-        return tuple(found)[:3] if hasattr(found, "__len__") else found
-    slopes = tuple((value(f"Slope {j}"), value(f"Weight {j}")) for j in range(1, 5))
-    return CookTorrance(
-        slopes=tuple(pair for pair in slopes if pair[1] > 0.0) or slopes[:1],
-        distribution="gaussian" if value("Gaussian") > 0.5 else "beckmann",
-        specular=value("Specular"), n=value("Refractive Index n"), k=value("Extinction k"),
-        diffuse=value("Diffuse Color"), scale="published" if value("Published Scale") > 0.5 else "energy",
-        gaussian_c=value("Gaussian c"))
-
-
-def group_node(material):
+def our_node(material):
     """The node of one of our groups that the material renders with, or None."""
     if material is None or material.node_tree is None:
         return None
     for node in material.node_tree.nodes:
-        if node.bl_idname == "ShaderNodeGroup" and realisation_of_group(node.node_tree):
+        if node.bl_idname == "ShaderNodeGroup" and _found(node.node_tree) is not None:
             return node
     return None
 
 
-def realisation_of(material):
-    """"fast", "exact" …, or None for a material that is not ours."""
-    node = group_node(material)
-    return realisation_of_group(node.node_tree) if node else None
-
-
-def realisation_of_group(tree):
-    """The realisation that a node group is, or None for a group that is not ours."""
+def _found(tree):
+    """(model, realisation) of a node group, or None for one that is not a material of ours."""
     identifier = group_id(tree)
-    for groups in (GROUP_OF, F82_GROUP_OF):
-        for realisation, group in groups.items():
-            if group == identifier:
-                return realisation
+    for model, module in MODELS.items():
+        for groups in (module.GROUP_OF, module.F82_GROUP_OF):
+            for realisation, group in groups.items():
+                if group == identifier:
+                    return model, realisation
     return None
+
+
+def model_of(material):
+    """"cook_torrance" or "layered_rgb", or None for a material that is not ours."""
+    node = our_node(material)
+    return _found(node.node_tree)[0] if node else None
+
+
+def realisation_of(material):
+    """"fast", "exact", "osl" or "osl_fast", or None for a material that is not ours."""
+    node = our_node(material)
+    return _found(node.node_tree)[1] if node else None
+
+
+def parameters_of(material):
+    """The parameters that one of our materials holds; textures on a socket are not seen."""
+    return MODELS[model_of(material)].read(our_node(material))
 
 
 def record_of(material):
@@ -110,11 +131,3 @@ def record_of(material):
         return json.loads(material.get(RECORD_KEY, "{}"))
     except (TypeError, ValueError):
         return {}
-
-
-def _viewport_colour(parameters):
-    """Colour for the Solid viewport: normal reflectance and diffuse, by their shares."""
-    from ..reflectance.fresnel import conductor
-    s = parameters.specular
-    return [s * float(conductor(1.0, n, k)) + (1.0 - s) * diffuse
-            for n, k, diffuse in zip(parameters.n, parameters.k, parameters.diffuse)]

@@ -6,9 +6,14 @@ __all__ = ["CLASSES", "MODEL_ITEMS", "REALISATION_ITEMS", "attach", "detach", "p
 
 MODEL_ITEMS = (
     ("cook_torrance", "Cook–Torrance", "Facets with rms slope m, conductor Fresnel, diffuse part (1982)"),
+    ("layered_rgb", "Layered RGB", "Interference and colour separation in a thin layer (Granier and Heidrich)"),
 )
 REALISATION_ITEMS = (
     ("fast", "Fast", "Native closures: light-sampled, on every device, and in EEVEE"),
+    ("exact", "Exact", "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast"),
+    ("osl", "OSL", "The published formula itself as an OSL script: needs Open Shading Language switched on in "
+                   "Render properties, on the CPU or OptiX; EEVEE shows Fast"),
+    ("osl_fast", "OSL Fast", "Native closures from an OSL script: needs Open Shading Language switched on"),
 )
 
 
@@ -19,10 +24,12 @@ def preset_property():
         description="Measured material: a preset's name, or a dataset such as main/Cu/Johnson")
 
 
-def _search_presets(_self, _context, text):
-    from ..spectra import presets
-    wanted = text.casefold()
-    return [name for name in presets.names() if wanted in name.casefold()]
+def _search_presets(settings, _context, text):
+    if settings.model == "layered_rgb":
+        from ..layered_presets import PRESETS
+        return [name for name in PRESETS if text.casefold() in name.casefold()]
+    from ..spectra.search import search
+    return [found.id for found in search(text, limit=40)]
 
 
 class FacetFilmSettings(bpy.types.PropertyGroup):

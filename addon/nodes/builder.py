@@ -77,7 +77,7 @@ class GroupBuilder:
             name, description=description, in_out="OUTPUT", socket_type=SOCKET_TYPES[kind or operand.kind])
         if self._output_node is None:
             self._output_node = self.tree.nodes.new("NodeGroupOutput")
-        self._connect(self._output_node.inputs[name], operand)
+        self.connect(self._output_node.inputs[name], operand)
 
     def _panel(self, name):
         for item in self.tree.interface.items_tree:
@@ -99,7 +99,7 @@ class GroupBuilder:
         if node is None:
             node = self._shared[key] = self._new_node(bl_idname, properties, label)
             for identifier, operand in (inputs or {}).items():
-                self._connect(socket_of(node.inputs, identifier), operand)
+                self.connect(socket_of(node.inputs, identifier), operand)
         socket = socket_of(node.outputs, output) if output else node.outputs[0]
         return NodeOperand(self, kind_of(socket), socket)
 
@@ -213,7 +213,7 @@ class GroupBuilder:
             self.frame_of[node.name] = self.frames[-1]
         return node
 
-    def _connect(self, socket, operand):
+    def connect(self, socket, operand):
         if isinstance(operand, NodeOperand):
             self.tree.links.new(self._socket(operand, socket.node), socket)
             return

@@ -7,7 +7,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from addon.blender.layered_materials import apply_layered_rgb, layered_node, layered_socket
+from addon.blender import groups, materials
 from addon.layered_parameters import layered_rgb_parameters
 from addon.reflectance import layered_rgb as layered
 from tests.render import probes
@@ -28,11 +28,11 @@ TILE_PIXELS = 6
 def material(realisation, **parameters):
     """A layered RGB material whose azimuth counts from the world's X axis, as the references have it."""
     made = bpy.data.materials.new("Layered RGB")
-    apply_layered_rgb(made, layered_rgb_parameters(**parameters), realisation, {})
+    materials.apply(made, "layered_rgb", layered_rgb_parameters(**parameters), realisation, {})
     tree = made.node_tree
     east = tree.nodes.new("ShaderNodeCombineXYZ")
     east.inputs[0].default_value = 1.0
-    tree.links.new(east.outputs[0], layered_socket(layered_node(made), "Tangent"))
+    tree.links.new(east.outputs[0], groups.socket_named(materials.our_node(made), "Tangent"))
     return made
 
 

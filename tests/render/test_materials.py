@@ -18,8 +18,7 @@ def empty_file():
 def test_preset_sets_what_was_baked():
     material = api.create_material(preset="copper")
     baked = api.bake("copper")
-    node = materials.group_node(material)
-    found = materials.parameters_of(node)
+    found = materials.parameters_of(material)
     assert material.name == "Copper"
     assert found.n == pytest.approx(baked.conductor.n, rel=1e-6)
     assert found.k == pytest.approx(baked.conductor.k, rel=1e-6)
@@ -31,18 +30,18 @@ def test_preset_sets_what_was_baked():
 def test_parameters_go_over_the_preset():
     material = api.create_material(preset="copper", name="Mine", slopes=[(0.3, 0.5), (0.1, 0.5)], specular=0.5,
                                    scale="published", distribution="gaussian", gaussian_c=2.0)
-    found = materials.parameters_of(materials.group_node(material))
+    found = materials.parameters_of(material)
     assert np.allclose(found.slopes, [(0.3, 0.5), (0.1, 0.5)])
     assert (found.specular, found.scale, found.distribution, found.gaussian_c) == (0.5, "published", "gaussian", 2.0)
 
 
 def test_groups_are_reused_but_an_edited_one_is_left_alone():
-    first = materials.group_node(api.create_material(preset="copper")).node_tree
-    second = materials.group_node(api.create_material(preset="gold")).node_tree
+    first = materials.our_node(api.create_material(preset="copper")).node_tree
+    second = materials.our_node(api.create_material(preset="gold")).node_tree
     assert first == second
     edited = next(node for node in first.nodes if node.bl_idname == "ShaderNodeMath" and not node.inputs[1].is_linked)
     edited.inputs[1].default_value += 0.25
-    third = materials.group_node(api.create_material(preset="gold")).node_tree
+    third = materials.our_node(api.create_material(preset="gold")).node_tree
     assert third != first
 
 

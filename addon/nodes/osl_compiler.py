@@ -1,0 +1,45 @@
+"""Compiles the shader of a Script node with Cycles' own compiler, which also gives the node its sockets."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import bpy
+
+from ..errors import FacetFilmError
+
+__all__ = ["compile_script", "why_no_osl"]
+
+
+def compile_script(node):
+    """Compile a Script node's internal text; its sockets and code are then in the node.
+
+    Raises FacetFilmError with the compiler's words, or where this Blender has no OSL.
+    """
+    reason = why_no_osl()
+    if reason:
+        raise FacetFilmError(reason)
+    from cycles import osl
+    said = []
+    if not osl.update_script_node(node, lambda _level, message: said.append(message)):
+        raise FacetFilmError(f"The shader {node.script.name} does not compile: {'; '.join(said)}")
+
+
+def why_no_osl():
+    """Why this Blender cannot compile OSL, or an empty text."""
+    import _cycles
+    if not _cycles.with_osl:
+        return "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material"
+    _find_oslquery()
+    if importlib.util.find_spec("oslquery") is None:
+        return "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast"
+    return ""
+
+
+def _find_oslquery():
+    """Blender as a Python module keeps oslquery in its own folder, which it does not put on the path itself."""
+    if importlib.util.find_spec("oslquery") is None:
+        version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+        folder = Path(bpy.utils.resource_path("LOCAL")) / "python" / "lib" / version / "site-packages"
+        if (folder / "oslquery").exists():
+            sys.path.append(str(folder))
