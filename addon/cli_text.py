@@ -11,7 +11,7 @@ def presets(records):
 
     records  Presets
     """
-    return columns([(p.name, p.title, p.kind, p.dataset) for p in records])
+    return columns([(p.name, p.title, p.kind, p.dataset or "estimated") for p in records])
 
 
 def illuminants(titles):
@@ -54,6 +54,8 @@ def baked(bake):
         ("curve", f"{len(bake.fresnel.cos_theta)} points"),
         ("gamut", _gamut(bake.gamut)),
     ]
+    if bake.estimated not in ("", source.citation):
+        facts.append(("estimated", bake.estimated))
     return "\n".join([bake.title, columns(rows, "  "), columns(facts, "  ")])
 
 

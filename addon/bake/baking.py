@@ -74,6 +74,8 @@ class Bake:
     and diffuse_rgb (π·Rd) are after.  best names the closer one of "conductor"
     and "f82".  specular, slopes and distribution are the preset's.  white is
     what a perfect reflector is in this light: neutral in D65 and where adapted.
+    estimated says what of the preset is no measurement, and from what it was
+    guessed; "" where all is measured.
     """
 
     name: str
@@ -97,6 +99,7 @@ class Bake:
     slopes: tuple
     distribution: str
     white: tuple
+    estimated: str
 
     def to_dict(self):
         """The same as dicts, lists, numbers and text, ready for JSON.
@@ -153,7 +156,8 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
         diffuse_rgb=tuple(diffuse_colour(reflected).tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
         adapted=viewing.adapt, specular=record.specular, slopes=record.slopes,
-        distribution=record.distribution, white=tuple(viewing.weights.sum(axis=0).tolist()))
+        distribution=record.distribution, white=tuple(viewing.weights.sum(axis=0).tolist()),
+        estimated=record.estimated)
 
 
 def curve_of(reflected):

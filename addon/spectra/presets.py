@@ -21,6 +21,7 @@ class Preset:
     title         what people call it
     kind          "metal", "dielectric", "semiconductor", "liquid", … for lists
     dataset       "shelf/book/page" whose F is the specular part's; "" where there is none
+    index         in place of a dataset: ((wavelength in nm, n, k), …)
     reflectance   in place of a dataset: ((wavelength in nm, normal reflectance), …), k = 0
     aliases       other names
     specular      s, the specular fraction; d = 1 − s
@@ -37,6 +38,7 @@ class Preset:
     title: str
     kind: str
     dataset: str = ""
+    index: tuple = ()
     reflectance: tuple = ()
     aliases: tuple = ()
     specular: float = 1.0
@@ -48,17 +50,16 @@ class Preset:
 
 
 def constants(preset):
-    """The OpticalConstants of a Preset: its dataset's, or those of its normal reflectance.
+    """The OpticalConstants of a Preset: its dataset's, its own, or those of its normal reflectance.
 
     >>> constants(find("copper")).dataset
     'main/Cu/Johnson'
     """
     if preset.dataset:
         return optical_constants.load(preset.dataset)
-    wavelength_nm, reflectance = zip(*preset.reflectance)
-    return optical_constants.from_normal_reflectance(
-        wavelength_nm, reflectance, f"preset {preset.name}", title=preset.title,
-        citation=preset.estimated or preset.note, licence="CC0-1.0")
+    make = optical_constants.OpticalConstants if preset.index else optical_constants.from_normal_reflectance
+    return make(*zip(*(preset.index or preset.reflectance)), f"preset {preset.name}", title=preset.title,
+                citation=preset.estimated or preset.note, licence="CC0-1.0")
 
 
 @functools.lru_cache(maxsize=1)
@@ -78,29 +79,33 @@ def names():
 
 
 def find(name):
-    """The preset of this name, title or alias; small and capital letters are alike.
+    """The preset of this name, title or alias, as spelt; else small and capital letters are alike.
 
     Raises FacetFilmError with the nearest names.
 
     >>> find("Cu").title
     'Copper'
+    >>> find("TiN").name, find("Tin").name, find("TIN").name
+    ('titanium_nitride', 'tin', 'tin')
     """
     if not isinstance(name, str):
         raise FacetFilmError(f"A preset is called by its name, such as 'copper', not {name!r}.")
-    by_any_name = _by_any_name()
-    plain = _plain(name)
-    if plain not in by_any_name:
-        choice("preset", name, by_any_name)
-    return all_presets()[by_any_name[plain]]
+    as_spelt, by_plain_name = _by_any_name()
+    found = as_spelt.get(name.strip()) or by_plain_name.get(_plain(name))
+    if not found:
+        choice("preset", name, by_plain_name)
+    return all_presets()[found]
 
 
 @functools.lru_cache(maxsize=1)
 def _by_any_name():
-    found = {name: name for name in names()}
+    """Names of presets by what else they are called: as spelt, and in plain letters."""
+    as_spelt, plain = {}, {name: name for name in names()}
     for preset in all_presets().values():
-        for other in (preset.title, *preset.aliases):
-            found.setdefault(_plain(other), preset.name)
-    return found
+        for other in (preset.name, preset.title, *preset.aliases):
+            as_spelt[other] = preset.name
+            plain.setdefault(_plain(other), preset.name)
+    return as_spelt, plain
 
 
 def _plain(name):
@@ -108,6 +113,6 @@ def _plain(name):
 
 
 def _preset(record):
-    lists = {key: tuple(map(tuple, value)) if key in {"slopes", "reflectance"} else tuple(value)
+    lists = {key: tuple(map(tuple, value)) if key in {"slopes", "index", "reflectance"} else tuple(value)
              for key, value in record.items() if isinstance(value, list)}
     return Preset(**{**record, **lists})

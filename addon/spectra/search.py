@@ -103,7 +103,7 @@ def _records():
 
 
 def _preset(preset, record, index):
-    covers = presets.constants(preset).covers_visible
+    covers = _covers(record) if record else presets.constants(preset).covers_visible
     entry = Found(preset.name, preset.title, preset.kind, preset.dataset, True, covers)
     named = _text(preset.name, preset.title, preset.kind, *preset.aliases)
     if record is None:

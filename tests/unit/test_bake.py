@@ -111,8 +111,8 @@ def test_unknown_choices_are_clear_errors(options):
 def test_an_unknown_preset_is_answered_with_what_fits_its_words():
     with pytest.raises(FacetFilmError, match="did you mean 'copper'"):
         bake("coper")
-    with pytest.raises(FacetFilmError, match="'main/Au/Johnson'"):
-        bake("gold johnson")
+    with pytest.raises(FacetFilmError, match="'main/Au/Werner'"):
+        bake("gold werner")
     with pytest.raises(FacetFilmError, match="did you mean .main/Cu/"):
         bake("main/Cu")
     for nothing in ("", " ", None, 3):
@@ -135,6 +135,6 @@ def test_a_preset_brings_the_parameters_of_its_material():
     plastic = bake("figure_6a").cook_torrance_parameters()
     assert plastic["specular"] == 0.1 and plastic["slopes"] == ((0.15, 1.0),)
     assert np.allclose(plastic["diffuse"], bake("copper").normal_rgb)
-    assert plastic["n"] == bake("vinyl").conductor.n
+    assert np.allclose(plastic["n"], bake("vinyl").conductor.n, rtol=1e-12, atol=0.0)
     metal = bake("copper", space="ACEScg").cook_torrance_parameters()
     assert np.allclose(metal["diffuse"], bake("copper", space="ACEScg").normal_rgb)

@@ -62,13 +62,19 @@ def test_a_preset_may_have_a_normal_reflectance_in_place_of_a_dataset(monkeypatc
     assert 0.1 < baked.f0[2] < baked.f0[0] < 0.3 and np.allclose(baked.diffuse_rgb, baked.normal_rgb)
 
 
-def test_every_preset_has_its_data_and_names_of_its_own():
-    called = [name for p in presets.all_presets().values() for name in {p.name, *map(str.lower, p.aliases)}]
-    assert len(called) == len(set(called))
+def test_a_preset_may_have_an_index_in_place_of_a_dataset():
+    metal = presets.Preset("metal", "Metal", "metal", index=((400.0, 1.0, 3.0), (700.0, 2.0, 5.0)), estimated="by eye")
+    found = presets.constants(metal)
+    assert np.allclose(found.at(np.array([400.0, 550.0, 780.0])), [[1.0, 1.5, 2.0], [3.0, 4.0, 5.0]])
+    assert found.citation == "by eye" and found.has_k and not found.normal_only and found.covers_visible
+    assert found.dataset == "preset metal" and found.title == "Metal" and found.licence == "CC0-1.0"
+
+
+def test_every_preset_has_its_data():
     for preset in presets.all_presets().values():
         constants = presets.constants(preset)
         assert constants.citation and constants.licence == "CC0-1.0"
-        assert bool(preset.dataset) != bool(preset.reflectance)
+        assert sum(map(bool, (preset.dataset, preset.index, preset.reflectance))) == 1
         assert preset.estimated or preset.dataset
         assert 0.0 <= preset.specular <= 1.0 and all(m > 0 and w > 0 for m, w in preset.slopes)
 

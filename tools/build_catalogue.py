@@ -1,0 +1,99 @@
+"""Builds docs/materials.md: a table of every preset, baked, with where its data is from.
+
+    python tools/build_catalogue.py [OUTPUT_FILE]
+
+The same presets and tables give the same text.
+"""
+
+import pathlib
+import sys
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from addon.bake import bake  # noqa: E402
+from addon.spectra import presets, tables  # noqa: E402
+
+FILE = ROOT / "docs" / "materials.md"
+TOOL = "tools/build_catalogue.py"
+KINDS = {
+    "metal": "Metals", "alloy": "Alloys", "conductor": "Nitrides, carbides and other conductors",
+    "semiconductor": "Semiconductors", "oxide": "Oxides", "sulphide": "Sulphides", "crystal": "Crystals and gems",
+    "glass": "Glasses", "liquid": "Liquids", "polymer": "Polymers",
+    "figure": "Figures 6 and 7 and table I of Cook and Torrance 1982",
+}
+HEAD = ("Preset", "Also called", "Colour", "F0", "F82 tint", "s", "m (share)", "Fit", "Data")
+
+INTRODUCTION = """\
+# Materials
+
+<!-- Made by {tool} from addon/spectra/data/presets.json and the {source},
+{version} ({licence}). Edit those, not this. -->
+
+{count} presets, {metals} of them metals and alloys. Each name works in `bake`, in `create_material(preset=…)`, and
+in the panel; so do the other names. Beyond these, every dataset of refractiveindex.info that covers the visible can
+be baked by its id, such as `main/Cu/Johnson`: `python -m addon search TEXT` finds them.
+
+- **Colour** is the mirror's at normal incidence, as sRGB, brought into the gamut where it lies outside (marked \\*).
+- **F0** and **F82 tint** are linear Rec.709 in D65 for the 2° observer, before that.
+- **s** is the specular fraction (the diffuse one is d = 1 − s); **m** the rms slope, with each one's share where
+  there are several. Those of the paper's figures are the paper's; all others are chosen to look like the material
+  as it is commonly met, and are no measurements.
+- **Fit** is the largest CIEDE2000 from 0 to 89° between the measured colours and the fitted n and k a channel.
+- **Data** is the dataset, with the number of its source below, and what is to be said about it. *Estimated* says
+  what was not measured, and from what it was guessed.
+"""
+
+
+def main(path=FILE):
+    """Write the catalogue."""
+    about, _, _ = tables.read("refractiveindex")
+    baked = {preset: bake(preset.name) for preset in presets.all_presets().values()}
+    citations = list(dict.fromkeys(bake.source.citation for preset, bake in sorted(
+        baked.items(), key=lambda item: list(KINDS).index(item[0].kind)) if preset.dataset))
+    metals = sum(preset.kind in {"metal", "alloy"} for preset in baked)
+    parts = [INTRODUCTION.format(**about | {"tool": TOOL}, count=len(baked), metals=metals)]
+    for kind, title in KINDS.items():
+        rows = [row(preset, bake, citations) for preset, bake in baked.items() if preset.kind == kind]
+        parts.append(f"## {title}\n\n" + "\n".join(map(line, [HEAD, ["---"] * len(HEAD), *rows])) + "\n")
+    sources = "\n".join(f"{number}. {' '.join(text.split())}" for number, text in enumerate(citations, 1))
+    parts.append(f"## Sources\n\nAs refractiveindex.info cites them.\n\n{sources}\n")
+    pathlib.Path(path).write_text("\n".join(parts), encoding="utf-8")
+
+
+def line(cells):
+    """A line of a table."""
+    return "| " + " | ".join(cells) + " |"
+
+
+def row(preset, bake, citations):
+    """The cells of a preset."""
+    slopes = ", ".join(f"{m:g}" + (f" ({w:g})" if len(preset.slopes) > 1 else "") for m, w in preset.slopes)
+    data = [f"`{preset.dataset}` [{citations.index(bake.source.citation) + 1}]." if preset.dataset else "",
+            preset.note, preset.estimated and "*Estimated:* " + preset.estimated.removeprefix("Estimated: ")]
+    return (f"`{preset.name}`", ", ".join(dict.fromkeys([preset.title, *preset.aliases])),
+            f"`{swatch(bake.normal_rgb)}`" + ("\\*" if bake.gamut.outside else ""),
+            numbers(bake.f0, 3), numbers(bake.f82_tint, 2), f"{preset.specular:g}", slopes,
+            f"{bake.conductor.delta_e_2000_max:.2f}", " ".join(filter(None, data)))
+
+
+def numbers(values, digits):
+    """Numbers in a row; without the sign of a zero."""
+    return " ".join(f"{round(value, digits) + 0.0:.{digits}f}" for value in values)
+
+
+def swatch(rgb):
+    """Linear Rec.709 as #rrggbb in sRGB: IEC 61966-2-1.
+
+    >>> swatch((1.0, 0.5, 0.0))
+    '#ffbc00'
+    """
+    linear = np.clip(rgb, 0.0, 1.0)
+    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    return "#" + "".join(f"{value:02x}" for value in np.round(255.0 * encoded).astype(int))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:2])
