@@ -64,8 +64,11 @@ def create_material(model="cook_torrance", *, preset=None, realisation="fast", n
     else:
         checked, record, by_f82 = cook_torrance_from_preset(preset, parameters, realisation)
     _require_osl(realisation)
+    title = record.get("title") or TITLES[model]
     if material is None:
-        material = bpy.data.materials.new(name or record.get("title") or TITLES[model])
+        material = bpy.data.materials.new(name or title)
+    elif name or material.name.rsplit(".", 1)[0] == materials.record_of(material).get("title"):
+        material.name = name or title  # one that still bears its preset's title takes the new one's
     materials.apply(material, model, checked, realisation, record, by_f82=by_f82)
     return material
 

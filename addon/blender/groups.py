@@ -2,10 +2,12 @@
 
 import hashlib
 from importlib import import_module
+from pathlib import Path
 
 import bpy
 
-__all__ = ["GROUPS", "FAST_OF", "EEVEE_OUTPUT", "node_group", "group_id", "socket_named", "input_names"]
+__all__ = ["GROUPS", "FAST_OF", "EEVEE_OUTPUT", "LIBRARY", "build_group", "node_group", "group_id", "socket_named",
+           "input_names"]
 
 GROUPS = {
     "cook_torrance_fast": "cook_torrance_fast",
@@ -17,7 +19,7 @@ GROUPS = {
     "layered_rgb_fast": "layered_rgb_fast",
     "layered_rgb_osl": "osl_groups.LAYERED_RGB",
     "layered_rgb_osl_fast": "osl_groups.LAYERED_RGB_FAST",
-    "layer_thickness": "thickness",
+    "layer_thickness": "layer_thickness",
 }
 """Group id -> module of addon.nodes, or object in one, with NAME, VERSION and build()."""
 
@@ -31,6 +33,9 @@ FAST_OF = {
 }
 """Groups that only Cycles can render -> the group that stands in for them in EEVEE."""
 
+LIBRARY = Path(__file__).parents[2] / "node_groups" / "facet_film_groups.blend"
+"""The groups as tools/build_groups.py built them: appending one takes milliseconds, building one seconds."""
+
 EEVEE_OUTPUT = "EEVEE"
 ID_KEY = "facet_film_id"
 VERSION_KEY = "facet_film_version"
@@ -38,7 +43,7 @@ FINGERPRINT_KEY = "facet_film_fingerprint"
 
 
 def node_group(identifier):
-    """The group with this id in the current version, built where the file has none as we made it.
+    """The group with this id in the current version, brought in where the file has none as we made it.
 
     A group that a user has edited is left alone and not reused.
     """
@@ -47,13 +52,27 @@ def node_group(identifier):
         if (tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == definition.VERSION
                 and not tree.library and tree.get(FINGERPRINT_KEY) == fingerprint(tree)):
             return tree
-    tree = definition.build()
+    tree = _from_library(definition.NAME) or definition.build()
     if identifier in FAST_OF:
         _add_eevee_output(tree, node_group(FAST_OF[identifier]))
     tree[ID_KEY] = identifier
     tree[VERSION_KEY] = definition.VERSION
     tree[FINGERPRINT_KEY] = fingerprint(tree)
     return tree
+
+
+def build_group(identifier):
+    """The group with this id built from its formulas, without a second shader for EEVEE."""
+    return _definition(identifier).build()
+
+
+def _from_library(name):
+    """The group appended from the library, or None where the library does not hold it."""
+    if not LIBRARY.exists():
+        return None
+    with bpy.data.libraries.load(str(LIBRARY), link=False) as (source, target):
+        target.node_groups = [found for found in source.node_groups if found == name]
+    return target.node_groups[0] if target.node_groups else None
 
 
 def _definition(identifier):

@@ -1,8 +1,12 @@
 """The Facet & Film panel in the Material properties."""
 
+import textwrap
+
 import bpy
 
-from .materials import our_node, record_of
+from .materials import our_node, realisation_of, record_of
+from .realisation_operator import what_is_missing
+from .settings import REALISATION_ITEMS
 
 __all__ = ["CLASSES"]
 
@@ -24,17 +28,55 @@ class FACET_FILM_PT_material(_MaterialPanel, bpy.types.Panel):
         return context.object is not None and hasattr(context.object.data, "materials")
 
     def draw(self, context):
-        """Three rows: what, how, do it."""
+        """What, by which model and how, do it; and how the material that is there renders."""
         settings = context.window_manager.facet_film
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
+        layout.prop(settings, "model")
         layout.prop(settings, "preset", icon="MATERIAL")
         layout.prop(settings, "realisation")
         operator = layout.operator("facet_film.bake_preset", icon="SHADING_RENDERED")
         operator.preset = settings.preset
         operator.model = settings.model
         operator.realisation = settings.realisation
+        realisation = realisation_of(context.material)
+        if realisation is not None:
+            missing = what_is_missing(context.scene, realisation)
+            if missing:
+                _lines(layout, missing, "ERROR")
+            shown = dict((item[0], item[1]) for item in REALISATION_ITEMS)[realisation]
+            layout.operator_menu_enum("facet_film.switch_realisation", "realisation", text=f"Renders by {shown}")
+
+
+def _lines(layout, text, icon, width=52):
+    """A long sentence as labels of one line each."""
+    box = layout.box().column(align=True)
+    for number, line in enumerate(textwrap.wrap(text, width)):
+        box.label(text=line, icon=icon if number == 0 else "BLANK1")
+
+
+class FACET_FILM_PT_parameters(_MaterialPanel, bpy.types.Panel):
+    """The parameters of the material's model"""
+
+    bl_label = "Parameters"
+    bl_parent_id = "FACET_FILM_PT_material"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        """Shown for materials of ours."""
+        return our_node(context.material) is not None
+
+    def draw(self, context):
+        """The group node's sockets."""
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        node = our_node(context.material)
+        for socket in node.inputs:
+            if not socket.hide_value:
+                layout.template_node_view(node.id_data, node, socket)
 
 
 class FACET_FILM_PT_baked(_MaterialPanel, bpy.types.Panel):
@@ -54,6 +96,9 @@ class FACET_FILM_PT_baked(_MaterialPanel, bpy.types.Panel):
         record = record_of(context.material)
         column = self.layout.column(align=True)
         column.label(text=record["title"])
+        if "conductor" not in record:
+            _lines(self.layout, record["note"], "INFO")
+            return
         column.label(text=f"{record['source']['dataset']}: {record['source']['citation']}")
         column.label(text="F0  " + "  ".join(f"{value:.4f}" for value in record["f0"]))
         column.label(text="F82 tint  " + "  ".join(f"{value:.4f}" for value in record["f82_tint"]))
@@ -63,4 +108,4 @@ class FACET_FILM_PT_baked(_MaterialPanel, bpy.types.Panel):
             column.label(text=f"Outside the gamut: {gamut['method']}, largest change {gamut['largest_change']:.4f}")
 
 
-CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_baked)
+CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_parameters, FACET_FILM_PT_baked)

@@ -2,22 +2,32 @@
 
 import bpy
 
-from . import bake_operator, material_panel, settings
+from . import bake_operator, material_panel, realisation_operator, settings
 
 __all__ = ["register", "unregister"]
 
-CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *material_panel.CLASSES)
+CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *material_panel.CLASSES)
+COMMAND = "facet_film"
+_commands = []
 
 
 def register():
-    """Register every class, and the settings that the panel shows."""
+    """Register every class, the settings that the panel shows, and ``blender --command facet_film``."""
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     settings.attach()
+    _commands.append(bpy.utils.register_cli_command(COMMAND, _command))
 
 
 def unregister():
     """The mirror image of register()."""
+    bpy.utils.unregister_cli_command(_commands.pop())
     settings.detach()
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
+
+
+def _command(arguments):
+    """The shell door inside Blender: the same words as ``python -m addon``."""
+    from ..cli import main
+    return main(arguments)
