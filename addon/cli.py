@@ -120,7 +120,7 @@ def _list(options):
     found = presets.all_presets().values()
     if options.json:
         return _json([{"name": p.name, "title": p.title, "kind": p.kind, "dataset": p.dataset,
-                       "aliases": p.aliases} for p in found])
+                       "aliases": p.aliases, "estimated": p.estimated} for p in found])
     return cli_text.presets(found)
 
 

@@ -95,7 +95,7 @@ def test_what_has_a_dataset_has_its_citation_from_the_database(baked):
 def test_what_has_no_dataset_says_that_it_is_estimated_and_from_what(baked):
     without = {name for name, preset in PRESETS.items() if not preset.dataset}
     assert without == {"tin", "figure_7_tin", "cuprite", "tenorite", "nylon", "polyethylene", "polypropylene",
-                       "teflon", "rubber", "obsidian", "lunar_dust", "olive_drab", "rust"}
+                       "teflon", "vegetable_oil", "rubber", "obsidian", "lunar_dust", "olive_drab", "rust"}
     for name in without:
         record = baked[name].to_dict()
         assert record["estimated"].startswith("Estimated: ") and len(record["estimated"]) > 60
