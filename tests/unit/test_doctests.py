@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ("addon/reflectance", "addon/spectra", "addon/bake")
+ROOMS = ("addon/reflectance", "addon/spectra", "addon/bake", "addon/export")
 TOOLS = ("tools/setup_venv.py", "tools/package.py")
 NEEDS_BLENDER_OR_RUNS = ("__init__.py", "__main__.py", "api.py")
 

@@ -13,7 +13,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 
-NUMPY_ROOMS = ("addon/reflectance/", "addon/spectra/", "addon/bake/")
+NUMPY_ROOMS = ("addon/reflectance/", "addon/spectra/", "addon/bake/", "addon/export/")
 BLENDER_MODULES = {"bpy", "bmesh", "mathutils", "gpu", "_bpy", "bpy_extras", "blf"}
 BLENDER_ROOMS = {"nodes", "blender", "ui", "osl", "api"}
 

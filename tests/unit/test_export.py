@@ -1,0 +1,187 @@
+"""What is written for other programs: whole, readable again, and true to the bake."""
+
+import csv
+import io
+import json
+import math
+import os
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+
+from addon.bake import bake
+from addon.errors import FacetFilmError
+from addon.export import (
+    bake_json,
+    curve_csv,
+    materialx,
+    principled_settings,
+    spectrum_csv,
+    write_text,
+    writing,
+)
+from addon.spectra import optical_constants, presets
+from addon.spectra.readers import read_text
+
+
+def test_json_is_the_bake():
+    baked = bake("gold")
+    assert json.loads(bake_json(baked)) == baked.to_dict()
+
+
+@pytest.mark.parametrize("dataset", ["main/Au/Babar", "main/SiO2/Malitson", "main/Cu/Johnson"])
+def test_a_spectrum_comes_back_identical(dataset):
+    constants = optical_constants.load(dataset)
+    again = read_text(spectrum_csv(constants))
+    for name in ("wavelength_nm", "n", "k"):
+        np.testing.assert_array_equal(getattr(again, name), getattr(constants, name))
+    assert again.has_k == constants.has_k
+    assert bake(again).f0 == bake(dataset).f0
+
+
+def test_every_dataset_of_a_shelf_comes_back_identical():
+    for dataset in [name for name in optical_constants.dataset_ids() if name.startswith("main/")][::12]:
+        constants = optical_constants.load(dataset)
+        again = read_text(spectrum_csv(constants))
+        assert np.array_equal(again.wavelength_nm, constants.wavelength_nm), dataset
+        assert np.array_equal(again.n, constants.n) and np.array_equal(again.k, constants.k), dataset
+
+
+def test_a_normal_reflectance_comes_back_as_one():
+    constants = optical_constants.from_normal_reflectance([400.0, 550.5, 700.0], [0.04, 0.5, 0.98], "x")
+    written = spectrum_csv(constants)
+    again = read_text(written)
+    assert written.startswith("wavelength_nm,R\n") and again.normal_only
+    np.testing.assert_array_equal(again.wavelength_nm, constants.wavelength_nm)
+    np.testing.assert_allclose(again.n, constants.n, rtol=1e-12)
+
+
+def test_the_curve_as_a_table():
+    baked = bake("copper")
+    rows = list(csv.DictReader(io.StringIO(curve_csv(baked))))
+    assert tuple(float(row["cos_theta"]) for row in rows) == baked.fresnel.cos_theta
+    assert tuple(tuple(float(row[c]) for c in "rgb") for row in rows) == baked.fresnel.rgb
+
+
+def inputs_of(document, kind):
+    """Values by input of the first node of a kind."""
+    node = ElementTree.fromstring(document).find(kind)
+    return {one.get("name"): one.get("value") for one in node}
+
+
+def test_materialx_holds_the_fits():
+    baked = bake("copper")
+    document = materialx(baked)
+    conductor = inputs_of(document, "conductor_bsdf")
+    schlick = inputs_of(document, "generalized_schlick_bsdf")
+
+    def numbers(value):
+        return [float(number) for number in value.split(",")]
+    np.testing.assert_allclose(numbers(conductor["ior"]), baked.conductor.n, rtol=1e-5)
+    np.testing.assert_allclose(numbers(conductor["extinction"]), baked.conductor.k, rtol=1e-5)
+    np.testing.assert_allclose(numbers(schlick["color0"]), baked.f82.f0, rtol=1e-5)
+    np.testing.assert_allclose(numbers(schlick["color82"]), baked.f82.tint, rtol=1e-5)
+    assert numbers(schlick["color90"]) == [1, 1, 1] and float(schlick["exponent"]) == 5
+    assert numbers(inputs_of(materialx(baked, roughness=0.3), "conductor_bsdf")["roughness"]) == [0.3, 0.3]
+    assert ElementTree.fromstring(document).get("colorspace") == "lin_rec709"
+    assert ElementTree.fromstring(materialx(bake("gold", space="ACEScg"))).get("colorspace") == "acescg"
+
+
+def test_the_weights_of_materialx_are_those_of_the_model():
+    baked = bake("figure_7_copper") if "figure_7_copper" in presets.names() else bake("figure_6b")
+    root = ElementTree.fromstring(materialx(baked))
+    lobes = [{one.get("name"): one.get("value") for one in node} for node in root.findall("conductor_bsdf")]
+    assert len(lobes) == len(baked.slopes) > 1
+    for lobe, (m, w) in zip(lobes, baked.slopes):
+        assert math.isclose(float(lobe["weight"]), baked.specular * w, rel_tol=1e-5)
+        assert float(lobe["roughness"].split(",")[0]) == pytest.approx(m)
+    mixed = bake("figure_6a")
+    diffuse = inputs_of(materialx(mixed), "oren_nayar_diffuse_bsdf")
+    assert float(diffuse["weight"]) == pytest.approx(1 - mixed.specular)
+
+
+def test_materialx_refuses_parameters_of_another_formula():
+    with pytest.raises(FacetFilmError, match="bake with the formula 'exact'"):
+        materialx(bake("copper", formula="blender-4.5"))
+
+
+def test_materialx_of_a_material_with_a_strange_name():
+    document = materialx(bake(read_text("400,1.5,2\n700,1.4,2\n", "1 <ä>--&.csv")))
+    names = [node.get("name") for node in ElementTree.fromstring(document).iter() if node.get("name")]
+    assert all(name.isidentifier() and name.isascii() for name in names)
+
+
+def test_principled_of_a_conductor():
+    baked = bake("copper")
+    settings = principled_settings(baked)
+    assert settings["Base Color"][:3] == baked.f82.f0 and settings["Specular Tint"][:3] == baked.f82.tint
+    assert settings["Metallic"] == 1.0
+    slope = sum(w * m * m for m, w in baked.slopes) ** 0.5
+    assert settings["Roughness"] == pytest.approx(math.sqrt(slope))
+
+
+def test_principled_of_a_dielectric():
+    settings = principled_settings(bake("vinyl"))
+    assert settings["Metallic"] == 0.0
+    f0 = ((settings["IOR"] - 1) / (settings["IOR"] + 1)) ** 2
+    assert f0 == pytest.approx(np.mean(bake("vinyl").normal_rgb))
+
+
+def test_principled_of_every_preset_is_in_the_sockets_ranges():
+    for name in presets.names():
+        for socket, value in principled_settings(bake(name)).items():
+            values = value if isinstance(value, tuple) else (value,)
+            highest = 10.0 if socket == "IOR" else 1.0
+            assert all(0.0 <= one <= highest for one in values), (name, socket, value)
+
+
+def test_a_file_is_written_whole(tmp_path):
+    path = tmp_path / "µ.csv"
+    assert write_text(path, "a\nµ\n") == str(path)
+    assert path.read_bytes() == "a\nµ\n".encode()
+    path.chmod(0o640)
+    write_text(str(path), "b")
+    assert path.read_text() == "b" and path.stat().st_mode & 0o777 == 0o640
+    assert os.listdir(tmp_path) == ["µ.csv"]
+
+
+def test_a_link_is_followed(tmp_path):
+    (tmp_path / "real.csv").write_text("old")
+    (tmp_path / "link.csv").symlink_to(tmp_path / "real.csv")
+    write_text(tmp_path / "link.csv", "new")
+    assert (tmp_path / "real.csv").read_text() == "new" and (tmp_path / "link.csv").is_symlink()
+
+
+@pytest.mark.parametrize("step", ["open", "replace"])
+def test_a_write_that_fails_changes_nothing(step, tmp_path, monkeypatch):
+    path = tmp_path / "a.csv"
+    path.write_text("old")
+
+    def fail(*_, **__):
+        raise OSError(28, "No space left on device")
+    monkeypatch.setattr(*{"open": ("builtins.open", fail), "replace": (writing.os, "replace", fail)}[step])
+    with pytest.raises(FacetFilmError, match="no space left on device"):
+        write_text(path, "new")
+    monkeypatch.undo()
+    assert path.read_text() == "old" and os.listdir(tmp_path) == ["a.csv"]
+
+
+@pytest.mark.parametrize("path, says", [
+    ("none/a.csv", "does not exist"), (".", "is a folder"), ("", "named by its path"),
+    (None, "named by its path"), ("a\0.csv", "named by its path"), (b"a.csv", "named by its path"), ("/dev/null", "no ordinary file"),
+    ("x" * 300, "too long")])
+def test_where_nothing_can_be_written_is_said(path, says, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FacetFilmError, match=says):
+        write_text(path, "x")
+    assert not os.listdir(tmp_path)
+
+
+def test_a_protected_file_stays(tmp_path, monkeypatch):
+    path = tmp_path / "a.csv"
+    path.write_text("old")
+    monkeypatch.setattr(writing.os, "access", lambda *_: False)  # root may write anywhere
+    with pytest.raises(FacetFilmError, match="protected"):
+        write_text(path, "new")
+    assert path.read_text() == "old"
