@@ -13,14 +13,17 @@ series := $(subst $(space),.,$(wordlist 1,2,$(subst ., ,$(BPY))))
 VENV ?= .venv$(series:%=-%)
 TESTS ?= tests/unit tests/render tests/package
 RUN = $(VENV)/bin/python
+# The oldest Blender supported builds the assets: a newer one opens its files, it opens no newer one's.
+OLDEST ?= .venv-4.5
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test package
+.PHONY: help setup demo test package assets
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
 	@echo "make test      run the tests; make test BPY=5.2 (or 4.5, 5.0, 5.1) for another Blender"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
+	@echo "make assets    build the library of node groups and the catalogue of materials (on Blender 4.5)"
 	@echo "make setup     only make the environment that the others use ($(VENV))"
 
 setup:
@@ -35,3 +38,8 @@ test: setup
 
 package: setup
 	$(RUN) tools/package.py --out dist
+
+assets:
+	$(MAKE) setup BPY=4.5 VENV=$(OLDEST)
+	$(OLDEST)/bin/python tools/build_groups.py
+	$(OLDEST)/bin/python tools/build_catalogue.py

@@ -22,6 +22,7 @@ from addon.blender.groups import GROUPS, LIBRARY, build_group  # noqa: E402
 __all__ = ["STAMP", "source_stamp", "build"]
 
 STAMP = "facet_film_groups stamp"
+OLDEST = (4, 5)
 
 
 def source_stamp():
@@ -48,6 +49,8 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--out", type=Path, default=LIBRARY, help="the .blend to write")
     options = parser.parse_args()
+    if bpy.app.version[:2] != OLDEST:
+        parser.error("build the groups on Blender {}.{}, whose files every later one opens".format(*OLDEST))
     for group in build(options.out):
         print(f"{group.name}: {len(group.nodes)} nodes")
     print(f"{options.out.name}: {options.out.stat().st_size / 1024:.0f} kB")
