@@ -30,9 +30,9 @@ def conductor(cos_theta, n, k):
     cos_theta  cosine between the direction and the facet's normal, [0, 1]
     n, k       index of refraction and extinction coefficient, n > 0, k ≥ 0
 
-    With s² = 1 − c² and (u + iv)² = (n + ik)² − s²,
-    Rs = ((c−u)² + v²)/((c+u)² + v²),
-    Rp = Rs·((cu − s²)² + c²v²)/((cu + s²)² + c²v²), F = (Rs + Rp)/2.
+    With s² = 1 − c² and (u + iv)² = (n + ik)² − s², so that a = u² + v² = |(n + ik)² − s²|,
+    Rs = (a − 2cu + c²)/(a + 2cu + c²),
+    Rp = Rs·(ac² − 2cus² + s⁴)/(ac² + 2cus² + s⁴), F = (Rs + Rp)/2.
     Born and Wolf, Principles of Optics, 7th ed., section 14.4.1; the equation
     that Cook and Torrance 1982 mean where n and k are known, and Blender 5.0
     and later evaluate.
@@ -46,14 +46,12 @@ def conductor(cos_theta, n, k):
     s2 = 1.0 - c2
     nk = n * k
     real = n * n - k * k - s2
-    size = sqrt(real * real + 4.0 * nk * nk)
-    u = sqrt(0.5 * (size + real))
-    v2 = maximum(0.5 * (size - real), 0.0)
-    minus, plus = cos_theta - u, cos_theta + u
-    r_s = (minus * minus + v2) / maximum(plus * plus + v2, SMALLEST)
-    cu, c2v2 = cos_theta * u, c2 * v2
-    minus, plus = cu - s2, cu + s2
-    r_p_over_r_s = (minus * minus + c2v2) / maximum(plus * plus + c2v2, SMALLEST)
+    a = sqrt(real * real + 4.0 * nk * nk)
+    u = sqrt(0.5 * (a + real))
+    s_even, s_odd = a + c2, 2.0 * cos_theta * u
+    p_even, p_odd = a * c2 + s2 * s2, s_odd * s2
+    r_s = (s_even - s_odd) / maximum(s_even + s_odd, SMALLEST)
+    r_p_over_r_s = (p_even - p_odd) / maximum(p_even + p_odd, SMALLEST)
     return 0.5 * r_s * (1.0 + r_p_over_r_s)
 
 

@@ -1,11 +1,14 @@
 """Geometrical attenuation G: the share of facets that are neither masked from the viewer nor shadowed."""
 
-from ..operands import less, maximum, minimum, sqrt, term, where
+from ..operands import clip, less, maximum, minimum, sqrt, term, where
 
 __all__ = ["v_cavity", "v_cavity_one_side", "smith_beckmann", "smith_lambda"]
 
 SMALLEST = 1e-6
 """Keeps a denominator away from 0 at grazing incidence."""
+
+A_OF_NO_SHADOW = 1.6
+"""Above this a = 1/(m tan θ), Smith's Λ is taken as 0."""
 
 
 @term("G")
@@ -56,7 +59,7 @@ def smith_beckmann(n_v, n_l, m):
 def smith_lambda(cos_theta, m):
     """Smith's Λ for Beckmann's distribution: (1 − 1.259 a + 0.396 a²)/(3.535 a + 2.181 a²), a = 1/(m tan θ).
 
-    0 where a is above 1.6, that is where (m tan θ)² is below 0.39.  The rational
+    0 where a is 1.6 or more.  The rational
     approximation of B. Walter et al., "Microfacet Models for Refraction through
     Rough Surfaces", EGSR 2007, as Heitz 2014 gives it below equation 69.
 
@@ -65,8 +68,6 @@ def smith_lambda(cos_theta, m):
     >>> round(float(smith_lambda(0.1, 0.4)), 4)
     0.6908
     """
-    c2 = maximum(cos_theta * cos_theta, SMALLEST * SMALLEST)
-    m2_tan2 = m * m * maximum(1.0 / c2 - 1.0, 0.0)
-    a = 1.0 / sqrt(maximum(m2_tan2, 0.39))
-    rational = (1.0 + a * (0.396 * a - 1.259)) / (a * (3.535 + 2.181 * a))
-    return where(less(m2_tan2, 0.39), 0.0, rational)
+    cosine = clip(cos_theta, SMALLEST, 1.0)
+    a = minimum(cosine / maximum(m * sqrt(1.0 - cosine * cosine), SMALLEST), A_OF_NO_SHADOW)
+    return maximum((1.0 + a * (0.396 * a - 1.259)) / (a * (3.535 + 2.181 * a)), 0.0)

@@ -1,0 +1,103 @@
+"""Cook-Torrance itself: the published formula with the V-cavity G, sampled by drawing facets.
+
+For every sample of a pixel the nodes draw one facet H, and a Glossy BSDF about
+H carries the weight f (N.L)/p(L): see addon.reflectance.cook_torrance_sampler.
+At Sampling Width 0 the Glossy BSDF is a mirror, and Cycles integrates exactly
+the formula.  Above 0 it is a narrow lobe, which light sampling reaches, and
+native Metallic lobes carry the share of the light that lies under the formula.
+Products start with what is constant as a rule, so that Cycles folds away what
+a material does not use.
+"""
+
+from ..operands import dot, less, sqrt
+from ..parameters import DEFAULT_SAMPLING_WIDTH
+from ..reflectance.cook_torrance_sampler import (
+    FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_share, scales)
+from ..reflectance.sampling import chosen, narrow_slope
+from .builder import GroupBuilder
+from .cook_torrance_inputs import cook_torrance_inputs
+
+__all__ = ["NAME", "VERSION", "build"]
+
+NAME = "Cook-Torrance Exact"
+VERSION = 1
+
+TILT, AZIMUTH, SIDE, SLOPE, DISTRIBUTION, ROULETTE = range(1, 7)
+"""The random numbers of a sample, each a dimension of its own."""
+
+
+def build():
+    """The node group, newly built."""
+    builder = GroupBuilder(NAME)
+    sockets = cook_torrance_inputs(builder)
+    sockets.width = builder.input(
+        "Sampling Width", DEFAULT_SAMPLING_WIDTH, minimum=0.0, maximum=1.0, subtype="FACTOR",
+        description="0: the formula itself, by mirrors, lit only by what they happen to hit; above: narrow lobes, "
+                    "as a share of the slope, which lamps of any size light and which blur the formula a little")
+    surface = _Surface(builder, sockets)
+    with builder.frame("R = s Rs + d Rd"):
+        specular = builder.add_shaders(surface.drawn_lobe(), surface.native_lobes())
+        diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.diffuse, "Normal": surface.normal})
+        total = builder.add_shaders(specular, builder.scale_shader(1.0 - sockets.specular, diffuse))
+    builder.output("BSDF", total)
+    return builder.finish()
+
+
+class _Surface:
+    """What the lobes of one material share."""
+
+    def __init__(self, builder, sockets):
+        self.builder, self.sockets = builder, sockets
+        self.normal, self.view = builder.normal(sockets.normal), builder.incoming()
+        self.n_v = dot(self.normal, self.view)
+        self.fresnel_82 = native_fresnel(sockets.n, sockets.k)
+        with builder.frame("Width > 0"):
+            self.has_width = less(0.0, sockets.width)
+
+    def drawn_lobe(self):
+        """The Glossy BSDF about a drawn facet, with what the native lobes leave of f."""
+        builder, sockets = self.builder, self.sockets
+        slopes, weights = zip(*sockets.slopes)
+        with builder.frame("Draw"):
+            m, = chosen(builder.random(SLOPE), weights, slopes)
+            gaussian = less(0.0, sockets.gaussian) * less(builder.random(DISTRIBUTION), sockets.gaussian)
+            tilt, azimuth, side = (builder.random(number) for number in (TILT, AZIMUTH, SIDE))
+        with builder.frame("Width > 0"):
+            a = narrow_slope(m, sockets.width)
+        share = native_share(self.n_v, m)
+        with builder.frame("Roulette"):
+            probability = 1.0 - self.has_width * (1.0 - kept(share))
+            shown = less(builder.random(ROULETTE), probability)
+        x = facet(self.normal, self.view, m, a, share, FLANKS * self.has_width, gaussian, tilt, azimuth, side)
+        scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c)
+        weight = facet_weight(x, m, share, scale, self.has_width * (native_scale * (HEADROOM * share)),
+                              sockets.n, sockets.k, *self.fresnel_82)
+        with builder.frame("Draw"):
+            everything = sockets.specular * sum(weights[1:], weights[0])
+            glossy = builder.node("ShaderNodeBsdfAnisotropic", {
+                "Color": weight * (everything / probability), "Roughness": sqrt(x.spread), "Normal": x.h,
+            }, distribution="BECKMANN")
+            return builder.scale_shader(shown, glossy)
+
+    def native_lobes(self):
+        """The Metallic BSDFs under f, one for each slope; nothing at Sampling Width 0.
+
+        A closure's weight is held to 1, so the published scale adds up four equal ones.
+        """
+        builder, published = self.builder, self.sockets.published
+        once = builder.add_shaders(*[self._native_lobe(m, w) for m, w in self.sockets.slopes])
+        twice = builder.add_shaders(once, once)
+        return builder.node("ShaderNodeMixShader", {
+            "Fac": published, "Shader": once, "Shader_001": builder.add_shaders(twice, twice)})
+
+    def _native_lobe(self, m, w):
+        sockets = self.sockets
+        share = native_share(self.n_v, m)
+        f0, tint = self.fresnel_82
+        metallic = self.builder.node("ShaderNodeBsdfMetallic", {
+            "Base Color": f0, "Edge Tint": tint, "Roughness": sqrt(m * sqrt(share)), "Normal": self.normal,
+        }, distribution="BECKMANN", fresnel_type="F82")
+        _, native_scale = scales(m, sockets.gaussian, sockets.published, sockets.gaussian_c)
+        part = native_scale / (1.0 + 3.0 * sockets.published)
+        constant_part = w * sockets.specular * self.has_width
+        return self.builder.scale_shader(constant_part * (HEADROOM * share * part), metallic)

@@ -1,0 +1,86 @@
+"""What the samplers of the exact realisations share.
+
+A perfect mirror whose normal is H sends the path from V to L; drawing H with
+density p and colouring the mirror f (N·L)/p(L) makes the renderer integrate f.
+Light sampling cannot reach a mirror, so it is widened to a narrow Beckmann lobe
+of slope a about H, and H is drawn from a distribution narrowed by as much:
+slopes add like variances, (m² − a²) + a² = m².
+"""
+
+from ..operands import less, log, maximum, sqrt, where
+
+__all__ = ["narrow_slope", "narrowed", "towards_flanks", "tilt", "chosen"]
+
+SMALLEST_DRAW = 1e-7
+"""A random number of 0 is taken as this one: the tilt stays finite."""
+
+
+def narrow_slope(m, width):
+    """Slope a of the narrow lobes for facets of rms slope m: width·m/√(1 + 12 m²).
+
+    width  Sampling Width, [0, 1]: a as a share of m where m is small.  The
+           kinks of the V-cavity G, which the lobes blur, lie at fixed angles, so
+           a grows to no more than 0.29 width on rough surfaces.
+
+    >>> round(float(narrow_slope(0.2, 0.2)), 4), round(float(narrow_slope(0.6, 0.2)), 4)
+    (0.0329, 0.052)
+    """
+    return width * m / sqrt(1.0 + 12.0 * (m * m))
+
+
+def narrowed(m, a):
+    """The slope √(m² − a²) to draw facets from, and what to stretch the drawn slope by to undo that.
+
+    Given a slope in the blurred lobe, the drawn slopes that it comes from are
+    shorter by (m² − a²)/m² on average; at a drawn slope stretched by the
+    inverse, weights are evaluated without bias of first order.
+
+    >>> m_drawn, stretch = narrowed(0.5, 0.3)
+    >>> round(float(m_drawn), 6), round(float(stretch), 6)
+    (0.4, 1.5625)
+    """
+    m2 = m * m
+    rest = maximum(m2 - a * a, 0.04 * m2)
+    return sqrt(rest), m2 / rest
+
+
+def towards_flanks(u, bias):
+    """A number drawn from [0, 1) with the density 1 + bias·(1 − 2x), and that density.
+
+    u     even in [0, 1)
+    bias  [0, 1]: 0 leaves u as it is, 1 keeps away from x = 1, the middle of a lobe
+
+    >>> x, density = towards_flanks(0.5, 0.8)
+    >>> round(float(x), 4), round(float(density), 4)
+    (0.3246, 1.2806)
+    """
+    b = 1.0 + bias
+    x = 2.0 * u / (b + sqrt(b * b - 4.0 * bias * u))
+    return x, b - 2.0 * bias * x
+
+
+def tilt(x, m):
+    """m √(−ln x): tan α of Beckmann's distribution, or α of the Gaussian in its plane, for x even in [0, 1).
+
+    >>> round(float(tilt(0.36787944, 0.3)), 6)
+    0.3
+    """
+    return m * sqrt(-log(maximum(x, SMALLEST_DRAW)))
+
+
+def chosen(u, weights, *values):
+    """For each of the value lists, the entry that is drawn with probability proportional to its weight.
+
+    u  even in [0, 1); entries of weight 0 are never drawn
+
+    >>> [float(x) for x in chosen(0.7, [0.4, 0.6], [1.0, 2.0], [3.0, 4.0])]
+    [2.0, 4.0]
+    """
+    total = sum(weights[1:], weights[0])
+    found = [value[0] for value in values]
+    passed = weights[0]
+    for j in range(1, len(weights)):
+        here = less(passed, u * total) * less(0.0, weights[j])
+        found = [where(here, value[j], old) for value, old in zip(values, found)]
+        passed = passed + weights[j]
+    return found
