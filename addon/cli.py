@@ -5,6 +5,7 @@ Inside Blender the same commands are ``blender --command facet_film …``.
 
 import argparse
 import json
+import os
 import sys
 
 from . import cli_text
@@ -12,7 +13,7 @@ from .errors import FacetFilmError, number
 
 __all__ = ["main"]
 
-MATERIAL = "PRESET|SHELF/BOOK/PAGE"
+MATERIAL = "PRESET|SHELF/BOOK/PAGE|FILE"
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut")
 
 
@@ -48,8 +49,10 @@ def _parser():
     command.add_argument("what", nargs="?", choices=("presets", "illuminants"), default="presets",
                          help="presets (the default) or illuminants")
 
-    command = _command(commands, "bake", _bake, "colours over angle and fitted parameters of a material")
-    command.add_argument("material", metavar=MATERIAL, help="a preset, or a dataset of the database")
+    command = _command(commands, "bake", _bake, "colours over angle and fitted parameters of a material",
+                       _add_forms)
+    command.add_argument("material", metavar=MATERIAL,
+                         help="a preset, a dataset of the database, or a file of your own measurements")
     _add_viewing_options(command)
     _add_formula_option(command)
     command.add_argument("--from-normal-reflectance", action="store_true",
@@ -82,11 +85,26 @@ def _parser():
     return parser
 
 
-def _command(commands, name, run, summary):
+def _command(commands, name, run, summary, add_forms=None):
     command = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
     command.set_defaults(run=run)
-    command.add_argument("--json", action="store_true", help="as JSON")
+    (add_forms or _add_json)(command)
     return command
+
+
+def _add_json(command):
+    command.add_argument("--json", action="store_true", help="as JSON")
+
+
+def _add_forms(command):
+    """The forms that a bake is written in; one at a time."""
+    forms = command.add_mutually_exclusive_group()
+    _add_json(forms)
+    for name, what in (("--csv", "the colour over angle as CSV: cos_theta, r, g, b"),
+                       ("--spectrum-csv", "the measured spectrum as CSV: wavelength_nm, n, k"),
+                       ("--materialx", "as MaterialX: conductor_bsdf, generalized_schlick_bsdf")):
+        forms.add_argument(name, action="store_true", help=what)
+    command.add_argument("-o", "--output", metavar="FILE", help="write into a file, in place of showing it")
 
 
 def _add_viewing_options(command, gamut=True):
@@ -126,8 +144,45 @@ def _list(options):
 
 def _bake(options):
     from .bake import bake
-    baked = bake(options.material, **_given(options, *VIEWING, "formula", "from_normal_reflectance"))
-    return _json(baked.to_dict()) if options.json else cli_text.baked(baked)
+    from .export import write_text
+    what = _material(options.material)
+    baked = bake(what, **_given(options, *VIEWING, "formula", "from_normal_reflectance"))
+    text = _form(options, what, baked)
+    if options.output is None:
+        return text
+    return "Wrote " + write_text(options.output, text + "\n")
+
+
+def _form(options, what, baked):
+    """A bake in the form that was asked for."""
+    from . import export
+    from .bake.reflected import material
+    if options.json:
+        return export.bake_json(baked).rstrip()
+    if options.csv:
+        return export.curve_csv(baked).rstrip()
+    if options.spectrum_csv:
+        return export.spectrum_csv(material(what)[1]).rstrip()
+    if options.materialx:
+        return export.materialx(baked).rstrip()
+    return cli_text.baked(baked)
+
+
+def _material(word):
+    """A preset's name or a dataset's id as it is; the OpticalConstants in a file of that name."""
+    from .bake.reflected import material
+    from .spectra import readers
+    if word is None:
+        return None
+    if word.lower().endswith(readers.SUFFIXES):
+        return readers.read_file(word)
+    if not os.path.isfile(word):
+        return word
+    try:
+        material(word)  # what has a material's name is that material, whatever lies in the folder
+        return word
+    except FacetFilmError:
+        return readers.read_file(word)
 
 
 def _search(options):
@@ -145,7 +200,7 @@ def _search(options):
 
 def _check(options):
     from .bake import check
-    checked = check(options.against, preset=options.material,
+    checked = check(_material(options.against), preset=_material(options.material),
                     **_given(options, *VIEWING, "formula", "n", "k", "f0", "tint"))
     return _json(checked.to_dict()) if options.json else cli_text.checked(checked)
 
@@ -158,7 +213,7 @@ def _spread(options):
 
 def _ways(options):
     from .bake import ways
-    found = ways(options.material, **_given(options, *VIEWING))
+    found = ways(_material(options.material), **_given(options, *VIEWING))
     return _json(found.to_dict()) if options.json else cli_text.ways(found)
 
 
