@@ -19,7 +19,7 @@ class LayeredRGB:
     """One material of Granier and Heidrich's layered RGB model.
 
     thickness        of the layer in nm, 0 or more; None where thickness_range is given
-    thickness_range  (least, greatest) in nm: varies between them with Perlin noise; None for a constant thickness
+    thickness_range  (least, greatest) in nm: Perlin noise between them; None for a constant thickness
     noise_scale      features of the noise per unit of the object's coordinates, above 0
     noise_detail     octaves of the noise, 0 to 15
     ior              refractive index r1 of the layer for red, green and blue, each above 1
@@ -80,7 +80,8 @@ class LayeredRGB:
             raise FacetFilmError("thickness and thickness_range contradict each other: give one of them.")
         least, greatest = numbers_of("thickness_range", self.thickness_range, 2, 0.0, 100000.0, unit="nm")
         if least > greatest:
-            raise FacetFilmError(f"thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).")
+            raise FacetFilmError("thickness_range must be (least, greatest) in nm, "
+                                 f"not ({least:g}, {greatest:g}).")
         return {"thickness_range": (least, greatest)}
 
     def _deviation(self):
@@ -95,8 +96,8 @@ class LayeredRGB:
         if not isinstance(self.correlated, bool):
             raise FacetFilmError(f"correlated must be True or False, not {self.correlated!r}.")
         if self.correlated and self.thickness_range is None:
-            raise FacetFilmError("correlated tilts along the gradient of the thickness, and a constant thickness has "
-                                 "none: give thickness_range, such as (66, 76).")
+            raise FacetFilmError("correlated tilts along the gradient of the thickness, and a constant "
+                                 "thickness has none: give thickness_range, such as (66, 76).")
         return self.correlated
 
     def changed(self, **parameters):
@@ -132,6 +133,7 @@ def layered_rgb_parameters(**parameters):
     >>> layered_rgb_parameters(deviation=14)
     Traceback (most recent call last):
     ...
-    addon.errors.FacetFilmError: deviation must be at least 0 and below pi/2 radians (90°), not 14; 14° are 0.244 radians.
+    addon.errors.FacetFilmError: deviation must be at least 0 and below pi/2 radians (90°), not 14; \
+14° are 0.244 radians.
     """
     return LayeredRGB().changed(**parameters)

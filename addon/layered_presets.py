@@ -19,7 +19,7 @@ NOISE = " Scale and detail of the noise are not stated."
 
 @dataclass(frozen=True)
 class LayeredPreset:
-    """Title, kind ("figure" or "look"), a note for the user, and the parameters that differ from the defaults."""
+    """Title, kind ("figure" or "look"), a note for the user, and what differs from the default parameters."""
 
     title: str
     kind: str
@@ -54,11 +54,12 @@ PRESETS = {
         "Figure 2: clay", "figure", "Diffuse part only, 67 to 73 nm, index 1.4." + NOISE,
         _diffuse((67, 73), 1.4)),
     "figure 3, parallel": LayeredPreset(
-        "Figure 3: parallel boundaries", "figure", "66 to 76 nm, exponents 90 and 170, Phong to diffuse 1 to 0.7."
-        + NOISE, dict(FIGURE_3, thickness_range=(66, 76), diffuse=0.7)),
+        "Figure 3: parallel boundaries", "figure",
+        "66 to 76 nm, exponents 90 and 170, Phong to diffuse 1 to 0.7." + NOISE,
+        dict(FIGURE_3, thickness_range=(66, 76), diffuse=0.7)),
     "figure 3, deviation": LayeredPreset(
-        "Figure 3: constant deviation 10°", "figure", "As figure 3 with the lower boundary tilted by 10°; its azimuth "
-        "is not stated." + NOISE,
+        "Figure 3: constant deviation 10°", "figure",
+        "As figure 3 with the lower boundary tilted by 10°; its azimuth is not stated." + NOISE,
         dict(FIGURE_3, thickness_range=(66, 76), diffuse=0.7, deviation=math.radians(10.0))),
     "figure 4": LayeredPreset(
         "Figure 4: deviation correlated with the thickness", "figure",

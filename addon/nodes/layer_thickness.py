@@ -1,4 +1,4 @@
-"""Fields of the layer's thickness: Perlin noise or a texture between two thicknesses, and the normal tilted along it."""
+"""Fields of the layer's thickness, Perlin noise or a texture, and the lower normal tilted along them."""
 
 from ..operands import clip, dot, less, tan, where
 from .builder import GroupBuilder
@@ -22,7 +22,8 @@ def build():
                              description="Thickness in nanometres where the field is 1")
     scale = builder.input("Noise Scale", 3.0, minimum=0.001, maximum=100000.0,
                           description="Features of the field per unit of its coordinates")
-    detail = builder.input("Noise Detail", 2.0, minimum=0.0, maximum=15.0, description="Octaves of the Perlin noise")
+    detail = builder.input("Noise Detail", 2.0, minimum=0.0, maximum=15.0,
+                           description="Octaves of the Perlin noise")
     texture = builder.input("Texture", 0.5, minimum=0.0, maximum=1.0, subtype="FACTOR",
                             description="A field of your own between 0 and 1, a texture's for instance")
     share = builder.input("Texture Share", 0.0, minimum=0.0, maximum=1.0, subtype="FACTOR",
@@ -30,10 +31,12 @@ def build():
     deviation = builder.input(
         "Deviation", 0.0, minimum=0.0, maximum=1.5, subtype="ANGLE",
         description="Tilt of Lower Normal where the field climbs from 0 to 1 within one feature")
-    coordinates = builder.input("Vector", kind="VECTOR", hide_value=True,
-                                description="Coordinates of the noise; the object's where nothing is plugged in")
-    normal = builder.input("Normal", kind="VECTOR", hide_value=True,
-                           description="Normal of the upper boundary; the surface's own where nothing is plugged in")
+    coordinates = builder.input(
+        "Vector", kind="VECTOR", hide_value=True,
+        description="Coordinates of the noise; the object's where nothing is plugged in")
+    normal = builder.input(
+        "Normal", kind="VECTOR", hide_value=True,
+        description="Normal of the upper boundary; the surface's own where nothing is plugged in")
     with builder.frame("Field"):
         own = builder.node("ShaderNodeTexCoord", output="Object")
         at = where(less(dot(coordinates, coordinates), NOTHING), own, coordinates)
@@ -42,8 +45,10 @@ def build():
         field = noise + share * (texture - noise)
     with builder.frame("Lower normal"):
         tilted = builder.node("ShaderNodeBump", {
-            "Height": field, "Distance": tan(deviation) / scale, "Strength": 1.0, "Normal": builder.normal(normal)})
+            "Height": field, "Distance": tan(deviation) / scale, "Strength": 1.0,
+            "Normal": builder.normal(normal)})
     builder.output("Thickness", least + (greatest - least) * field, description="Thickness in nanometres")
     builder.output("Field", field, description="The field between 0 and 1")
-    builder.output("Lower Normal", tilted, description="Normal n1 of the lower boundary, tilted along the gradient")
+    builder.output("Lower Normal", tilted,
+                   description="Normal n1 of the lower boundary, tilted along the gradient")
     return builder.finish()

@@ -21,7 +21,7 @@ def layered_inputs(builder):
         description="Weight of the diffuse part, whose colour the thickness makes")
     d = builder.input(
         "Thickness", 70.0, minimum=0.0, maximum=100000.0,
-        description="Thickness d of the layer in nanometres: 1 to 30 is reddish brown, more brings in blue and green")
+        description="Thickness d of the layer in nanometres: low ones are reddish, more adds blue and green")
     r1 = builder.input(
         "Refractive Index", (1.4, 1.45, 1.6), "VECTOR", minimum=1.001, maximum=10.0,
         description="Refractive index r1 of the layer for red, green and blue; different ones make rainbows "
@@ -34,7 +34,7 @@ def layered_inputs(builder):
         description="Phong exponent e1 of the lobe that has passed the layer")
     deviation = builder.input(
         "Deviation", 0.0, minimum=0.0, maximum=math.radians(89.9), subtype="ANGLE",
-        description="Angle between the layer's boundaries: splits each highlight in two, the second one with a rainbow")
+        description="Angle between the boundaries: splits each highlight in two, one with a rainbow edge")
     azimuth = builder.input(
         "Azimuth", 0.0, minimum=-2.0 * math.pi, maximum=2.0 * math.pi, subtype="ANGLE",
         description="Direction of the deviation about the normal, counted from the tangent")
@@ -43,10 +43,11 @@ def layered_inputs(builder):
         description="Wavelengths of red, green and blue in nanometres")
     published = builder.input(
         "Published Scale", 0.0, minimum=0.0, maximum=1.0, subtype="FACTOR", panel="Model",
-        description="0: lobes scaled by (e + 2)/(2 pi), diffuse part with its factor of a half; 1: as printed. "
-                    "Both can reflect more light than arrives")
-    normal = builder.input("Normal", kind="VECTOR", hide_value=True,
-                           description="Normal n0 of the upper boundary; the surface's own where nothing is plugged in")
+        description="0: lobes scaled by (e + 2)/(2 pi), diffuse part with its factor of a half; "
+                    "1: as printed. Both can reflect more light than arrives")
+    normal = builder.input(
+        "Normal", kind="VECTOR", hide_value=True,
+        description="Normal n0 of the upper boundary; the surface's own where nothing is plugged in")
     lower = builder.input("Lower Normal", kind="VECTOR", hide_value=True,
                           description="Normal n1 of the lower boundary, a Bump node's for instance; "
                                       "takes the place of Deviation and Azimuth")

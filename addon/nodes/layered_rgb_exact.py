@@ -35,8 +35,9 @@ def build():
     n0, n1 = normals(builder, sockets)
     specular = _drawn_lobe(builder, sockets, n0, n1)
     with builder.frame("specular ρ + diffuse ρ_d/π"):
-        diffuse = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published) * widen(sockets.diffuse)
-        native = builder.node("ShaderNodeBsdfDiffuse", {"Color": diffuse, "Normal": n0})
+        albedo = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published)
+        native = builder.node("ShaderNodeBsdfDiffuse", {
+            "Color": albedo * widen(sockets.diffuse), "Normal": n0})
         builder.output("BSDF", builder.add_shaders(specular, native))
     return builder.finish()
 
@@ -51,7 +52,8 @@ def _drawn_lobe(builder, sockets, n0, n1):
     with builder.frame("Draw L"):
         numbers = [builder.random(number) for number in (LOBE, COSINE, AZIMUTH)]
     drawn = draw(lobes, view, n0, n1, r1, e0, e1, *numbers)
-    colour = weight(lobes, drawn, view, n0, n1, r1, sockets.d, sockets.wavelengths, e0, e1, sockets.published, width)
+    colour = weight(lobes, drawn, view, n0, n1, r1, sockets.d, sockets.wavelengths, e0, e1,
+                    sockets.published, width)
     lobe = kernel(drawn, view, width)
     roughness, anisotropy = roughness_and_anisotropy(lobe.slope_in, lobe.slope_across)
     return builder.node("ShaderNodeBsdfAnisotropic", {

@@ -28,8 +28,9 @@ def build():
                          sockets.published)
     closures = [_closure(builder, lobe, view, sockets.specular) for lobe in lobes]
     with builder.frame("specular ρ + diffuse ρ_d/π"):
-        diffuse = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published) * widen(sockets.diffuse)
-        native = builder.node("ShaderNodeBsdfDiffuse", {"Color": diffuse, "Normal": n0})
+        albedo = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published)
+        native = builder.node("ShaderNodeBsdfDiffuse", {
+            "Color": albedo * widen(sockets.diffuse), "Normal": n0})
         builder.output("BSDF", builder.add_shaders(*closures, native))
     return builder.finish()
 

@@ -18,10 +18,12 @@ X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(
 from types import SimpleNamespace
 
 from ..operands import (
-    arccos, cos, dot, exp, maximum, minimum, normalize, power, sqrt, term, where, widen, x_of, y_of, z_of,
+    arccos, cos, dot, exp, maximum, minimum, normalize, sqrt, term, where, widen, x_of, y_of, z_of,
 )
 from .directions import PI, half_vector
-from .layered_rgb import cos_refracted, f_eq8, fresnel_eq7, phase_eq3, transmission_eq9
+from .layered_rgb import (
+    cos_refracted, f_eq8, fifth_power, fresnel_eq7, phase_eq3, squared, transmission_eq9,
+)
 
 __all__ = ["exit_directions", "reflected_albedo", "transmitted_albedo", "interference_albedo", "lobe_colours",
            "native_lobes"]
@@ -37,6 +39,9 @@ EDGE_CURVE, EDGE_LEAN = 0.581, 1.086
 """Where total reflection cuts T off, fitted to quadrature: inside the edge (1 - F)
 rises to 1 in two steps, (height, offset times √(r1²-1)); the edge bends away from
 a lobe of variance σ² by EDGE_CURVE σ² √(r1²-1)."""
+
+CHANNELS = (("T lobe, red", x_of, (1.0, 0.0, 0.0)), ("T lobe, green", y_of, (0.0, 1.0, 0.0)),
+            ("T lobe, blue", z_of, (0.0, 0.0, 1.0)))
 
 MOST_STRETCH = 2.5
 LEAST_V_H = 0.2
@@ -73,13 +78,13 @@ def exit_directions(view, n0, n1, r1):
     # w = 2 n1_o n1 - (V - n0_v n0)/r1 - cos_o n0; refracted outwards its part across n0 grows r1 times.
     sin_1 = r1 * sqrt(1.0 - cos_w * cos_w)
     shrink = minimum(HIGHEST_EXIT_SINE / maximum(sin_1, SMALLEST), 1.0)
-    cos_1 = sqrt(1.0 - power(shrink * sin_1, 2.0))
+    cos_1 = sqrt(1.0 - squared(shrink * sin_1))
     on_n1 = shrink * (2.0 * r1 * n1_o)
     on_n0 = cos_1 + shrink * widen(n0_v) - on_n1 * widen(n0_n1)
     mirror_v, mirror_n1 = 2.0 * n0_v * n0_v - 1.0, 2.0 * n0_v * n0_n1 - n1_v
     between = on_n1 * widen(mirror_n1) + on_n0 * widen(n0_v) - shrink * widen(mirror_v)
-    return SimpleNamespace(n0_v=n0_v, cos_o=cos_o, cos_w=cos_w, cos_1=cos_1, on_v=-shrink, on_n0=on_n0, on_n1=on_n1,
-                           between=between)
+    return SimpleNamespace(n0_v=n0_v, cos_o=cos_o, cos_w=cos_w, cos_1=cos_1, between=between,
+                           on_v=-shrink, on_n0=on_n0, on_n1=on_n1)
 
 
 def above(z):
@@ -102,7 +107,7 @@ def bell(z):
 
 @term("Albedo of R")
 def reflected_albedo(n0_v, f, e0):
-    """∫ R (N.L) dω, ``(..., 3)``: F's constant part over the cut-off lobe, and its (1 - c)^5 at three points of it.
+    """∫ R (N.L) dω, ``(..., 3)``: F's constant part over the cut-off lobe, its (1 - c)^5 at three points.
 
     >>> reflected_albedo(1.0, 0.04, 90.0).round(4)
     array([0.04])
@@ -117,7 +122,7 @@ def reflected_albedo(n0_v, f, e0):
 
 def _schlick(c):
     c = minimum(maximum(c, 0.0), 1.0)
-    return power(1.0 - c, 5.0) * c
+    return fifth_power(1.0 - c) * c
 
 
 @term("Albedo of T")
@@ -133,7 +138,7 @@ def transmitted_albedo(exits, r1, f, e1):
 
 
 def _mean_cosine(cos_w, r1, e1):
-    """Mean over the lobe about w in the layer of the cosine to n0 times (1 - F)/(1 - f), which is 0 beyond the edge."""
+    """Mean over the lobe about w in the layer of its cosine times (1 - F)/(1 - f), 0 beyond the edge."""
     edge_slope = sqrt(r1 * r1 - 1.0)
     edge = arccos(edge_slope / r1)
     sigma2 = 1.0 / (e1 + 2.0)
@@ -168,8 +173,8 @@ def interference_albedo(exits, r1, d, wavelengths, f, e0, e1, r):
     across = widen(e1 + 2.0) / (r1 * r1)
     within = across * stretch * stretch
     distance2 = maximum(2.0 - 2.0 * exits.between, 0.0)
-    outside2 = minimum(power(arccos(exits.cos_1) - widen(arccos(exits.n0_v)), 2.0), distance2)
-    inside2 = power(arccos(exits.cos_w) - arccos(exits.cos_o), 2.0)
+    outside2 = minimum(squared(arccos(exits.cos_1) - widen(arccos(exits.n0_v))), distance2)
+    inside2 = squared(arccos(exits.cos_w) - arccos(exits.cos_o))
     pull_r, pull_t = curve_r * outside2, widen(e1 + 2.0) * inside2
     apart = (pull_r * pull_t / maximum(pull_r + pull_t, SMALLEST)
              + (distance2 - outside2) * curve_r * across / (curve_r + across))
@@ -182,11 +187,12 @@ def interference_albedo(exits, r1, d, wavelengths, f, e0, e1, r):
     turn = widen(2.0 * PI * d) / wavelengths * sqrt(1.0 - cos_peak * cos_peak) * cos_peak / (r1 * cos_i)
     curve = 0.5 * (curve_r + within)
     fading = exp(-0.5 * (turn * turn / curve + 0.5 * apart))
-    middle = 0.75 * exits.cos_w + 0.25 * cos_i  # of T and √(RT): what the edge of total reflection leaves of them
+    middle = 0.75 * exits.cos_w + 0.25 * cos_i  # of T and √(RT), for what total reflection leaves of them
     left = minimum(_mean_cosine(middle, r1, e1) / middle, 1.0) * above(
         minimum((HALF_PI - arccos(cos_peak)) * sqrt(curve), 4.0))
-    fresnel = f + (1.0 - f) * power(1.0 - cos_peak, 5.0)
-    curved = r / (fresnel_eq7(exits.n0_v, f) * maximum(widen(exits.n0_v), SMALLEST))  # mean of F over F at the middle
+    fresnel = f + (1.0 - f) * fifth_power(1.0 - cos_peak)
+    # The mean of F over the lobe exceeds F in its middle, as R's albedo tells.
+    curved = r / (fresnel_eq7(exits.n0_v, f) * maximum(widen(exits.n0_v), SMALLEST))
     amplitude = curved * fresnel * transmission_eq9(exits.cos_o, f) * sqrt((1.0 - fresnel) * (1.0 - f) * left)
     spread = sqrt(curve * 0.5 * (curve_r + across))
     return 2.0 * cos(2.0 * phase) * fading * sqrt(amplitude * curve_r * widen(e1 + 2.0)) * cos_peak / spread
@@ -240,11 +246,10 @@ def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0):
     shift = PEAK_OF_MEAN * share * (curve_r / (curve_r + curve_t))
     shift = minimum(maximum(shift, -MOST_SHIFT), MOST_SHIFT)
     cos_axis = maximum(exits.cos_w, sqrt(1.0 - 1.0 / (r1 * r1)))
-    curve_t = curve_t * power(exits.cos_1 / cos_axis, 2.0)
+    curve_t = curve_t * squared(exits.cos_1 / cos_axis)
     lean = 1.0 + maximum(share, -MOST_SHARE) * ((curve_t - curve_r) / (curve_t + curve_r))
     lobes = [_lobe("R lobe", view, n0, mirror, 1.0, e0, exits.n0_v, exits.n0_v, 1.0, r)]
-    for name, of, channel in (("T lobe, red", x_of, (1.0, 0.0, 0.0)), ("T lobe, green", y_of, (0.0, 1.0, 0.0)),
-                              ("T lobe, blue", z_of, (0.0, 0.0, 1.0))):
+    for name, of, channel in CHANNELS:
         direction = (widen(of(exits.on_v)) * view + widen(of(exits.on_n0)) * n0 + widen(of(exits.on_n1)) * n1)
         direction = direction + widen(of(shift)) * (mirror - direction)
         lobes.append(_lobe(name, view, n0, direction, of(r1), e1, of(cos_axis), of(exits.cos_1), of(lean),
@@ -258,7 +263,8 @@ def _lobe(name, view, n0, direction, index, exponent, inside_cos, outside_cos, l
     It is aimed a little above the direction, for N.L falls towards the horizon and
     the printed lobe times N.L has its peak there: higher by the variance / tan of the height.
     """
-    return term(name)(_leaned_lobe)(view, n0, direction, index, exponent, inside_cos, outside_cos, lean, colour)
+    return term(name)(_leaned_lobe)(
+        view, n0, direction, index, exponent, inside_cos, outside_cos, lean, colour)
 
 
 def _leaned_lobe(view, n0, direction, index, exponent, inside_cos, outside_cos, lean, colour):

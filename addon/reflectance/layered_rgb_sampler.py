@@ -31,8 +31,8 @@ from .layered_rgb import (
     cos_refracted, f_eq8, fresnel_eq7, inner_products, layered_specular, transmission_eq9,
 )
 
-__all__ = ["narrowed_exponent", "proposal", "tapered_width", "draw", "weight", "kernel", "roughness_and_anisotropy",
-           "DEFAULT_WIDTH"]
+__all__ = ["narrowed_exponent", "proposal", "tapered_width", "draw", "weight", "kernel",
+           "roughness_and_anisotropy", "DEFAULT_WIDTH"]
 
 DEFAULT_WIDTH = 0.3
 """Sampling Width that is open to light sampling; its bias is in docs and tests."""
@@ -98,7 +98,8 @@ def proposal(view, n0, n1, r1, e0, e1):
     share_r, shares = reflected / total, leaves / widen(total)
     exit_cos = sqrt(1.0 - r1 * r1 * (1.0 - cos_axis * cos_axis))
     clearance = share_r * n0_v * sqrt(e0 + 2.0) + dot(shares, exit_cos / r1) * sqrt(e1 + 2.0)
-    return SimpleNamespace(cos_o=cos_o, turn=turn, lift=lift, share_r=share_r, shares=shares, clearance=clearance)
+    return SimpleNamespace(cos_o=cos_o, turn=turn, lift=lift, share_r=share_r, shares=shares,
+                           clearance=clearance)
 
 
 def tapered_width(lobes, width):
@@ -145,8 +146,9 @@ def draw(lobes, view, n0, n1, r1, e0, e1, u_lobe, u_cos, u_phi):
     across = widen(index) * (inside - widen(inside_cos) * n0)
     sine2 = dot(across, across)
     light_cos = sqrt(1.0 - sine2)
-    return SimpleNamespace(light=across + widen(light_cos) * n0, valid=less(sine2, 1.0) * less(0.0, inside_cos),
-                           light_cos=light_cos, inside_cos=inside_cos, index=index, exponent=exponent)
+    return SimpleNamespace(light=across + widen(light_cos) * n0,
+                           valid=less(sine2, 1.0) * less(0.0, inside_cos), light_cos=light_cos,
+                           inside_cos=inside_cos, index=index, exponent=exponent)
 
 
 def _picked(lobes, u_lobe):
@@ -170,11 +172,19 @@ def weight(lobes, drawn, view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0
     e0, e1 are the exponents that L was drawn with: narrowed ones where there is
     a width.  In the published scale the narrowed lobes are 1/(1 - width²) as
     high; the energy scale has that in its (e + 2)/(2π).
+
+    >>> import numpy as np
+    >>> up, r1 = np.array([0.0, 0.0, 1.0]), np.full(3, 1.5)
+    >>> lobes = proposal(up, up, up, r1, 90.0, 170.0)
+    >>> drawn = draw(lobes, up, up, up, r1, 90.0, 170.0, 0.5, 1.0, 0.0)
+    >>> weight(lobes, drawn, up, up, up, r1, 0.0, np.full(3, 500.0), 90.0, 170.0).round(2)
+    array([1.38, 1.38, 1.38])
     """
     cosines = inner_products(drawn.light, view, n0, n1, r1)
     rho = layered_specular(cosines, r1, d, wavelengths, e0, e1, published)
     heightened = where(published, 1.0 / (1.0 - width * width), 1.0)
-    return rho * widen(drawn.valid * heightened * cosines.n0_l / maximum(_density(lobes, cosines, r1, e0, e1), SMALLEST))
+    p = _density(lobes, cosines, r1, e0, e1)
+    return rho * widen(drawn.valid * heightened * cosines.n0_l / maximum(p, SMALLEST))
 
 
 @term("p")
@@ -187,12 +197,13 @@ def _density(lobes, cosines, r1, e0, e1):
     reflected = (e0 + 1.0) * power(maximum(cosines.mirror, 0.0), e0)
     to_axis = maximum(lobes.turn * cosines.lobe + lobes.lift * cosines.cos_i, 0.0)
     transmitted = power(to_axis, widen(e1)) / (r1 * r1 * cosines.cos_i)
-    return (lobes.share_r * reflected + (e1 + 1.0) * cosines.n0_l * dot(lobes.shares, transmitted)) / (2.0 * PI)
+    transmitted = (e1 + 1.0) * cosines.n0_l * dot(lobes.shares, transmitted)
+    return (lobes.share_r * reflected + transmitted) / (2.0 * PI)
 
 
 @term("Lobe about H")
 def kernel(drawn, view, width):
-    """The Beckmann lobe about H that stands in for a mirror, width² of the variance of the lobe L was drawn from.
+    """The Beckmann lobe about H in place of a mirror: width² of the variance of the lobe L was drawn from.
 
     It is round in the layer for a transmitted lobe, round outside for the
     reflected one, hence two slopes: in the plane of V and H, and across it.

@@ -12,8 +12,8 @@ from addon.layered_parameters import layered_rgb_parameters
 from addon.reflectance import layered_rgb as layered
 from tests.render import probes
 
-__all__ = ["material", "Reference", "furnace_tiles", "furnace_means", "sphere_reference", "hemisphere", "rings",
-           "TILE_ANGLES"]
+__all__ = ["material", "Reference", "furnace_tiles", "furnace_means", "sphere_reference", "hemisphere",
+           "rings", "TILE_ANGLES"]
 
 # Blender's own modules, which a full Blender has on its path: a Script node without oslquery gets no sockets.
 sys.path.append(str(Path(bpy.utils.resource_path("LOCAL")) / "python" / "lib"
@@ -88,7 +88,7 @@ def tile_normal(angle):
 
 
 def furnace_tiles(realisation, parameters, *, samples, osl=False):
-    """A new scene of eight tiles of a layered RGB material at TILE_ANGLES in a row under a white sky, each TILE_PIXELS wide.
+    """A new scene of eight tiles of a layered RGB material in a row under a white sky, at TILE_ANGLES.
 
     They are seen by the camera alone, so that none lights another.
     """

@@ -1,4 +1,4 @@
-"""The layered RGB reference against an independent evaluation with explicit vectors, hand values and limits."""
+"""The layered RGB reference against an independent evaluation, values worked by hand, and limits."""
 
 import cmath
 import math
@@ -135,8 +135,8 @@ def test_mean_refracted_cosine_is_that_over_all_cosines():
     c = np.linspace(0.0, 1.0, 20001)
     for r1 in (1.2, 1.5, 2.0):
         cosine = np.sqrt(1 - (1 - c ** 2) / r1 ** 2)
-        assert layered.mean_cosine_eq14(r1) == pytest.approx(np.trapezoid(cosine, c) if hasattr(np, "trapezoid")
-                                                             else np.trapz(cosine, c), abs=1e-6)
+        mean = np.sum((cosine[1:] + cosine[:-1]) / 2) / (len(c) - 1)
+        assert layered.mean_cosine_eq14(r1) == pytest.approx(mean, abs=1e-6)
 
 
 def test_diffuse_albedo():
@@ -192,8 +192,8 @@ def test_shapes_broadcast_and_nan_stays_nan():
     light, view = directions(4).reshape(4, 1, 3), directions(5)
     full = layered.layered_rgb(light, view, UP, UP, r1=1.5, d=70.0, e0=3.0, e1=4.0)
     assert full.shape == (4, 5, 3)
-    thick = layered.layered_rgb(light, view, UP, UP, r1=np.full(3, 1.5), d=np.full((4, 5), np.nan), e0=3.0, e1=4.0)
-    assert np.isnan(thick).all()
+    unknown = layered.layered_rgb(light, view, UP, UP, r1=1.5, d=np.full((4, 5), np.nan), e0=3.0, e1=4.0)
+    assert np.isnan(unknown).all()
 
 
 def test_tilted_normal_has_the_deviation_and_the_azimuth():

@@ -1,10 +1,11 @@
-"""The fast layered RGB lobes against quadrature of the formula: albedo per channel, peaks, no negative colour."""
+"""The fast layered RGB lobes against quadrature of the formula: albedo, peaks, no negative colour."""
 
 import math
 
 import numpy as np
 import pytest
 
+from addon.reflectance import directions
 from addon.reflectance import layered_rgb as layered
 from addon.reflectance.layered_rgb_fast import exit_directions, lobe_colours, native_lobes
 
@@ -16,8 +17,7 @@ FIGURE_5 = ((1.5, 1.6, 1.8), 130.0, 130.0)
 
 
 def view_at(polar, azimuth=0.0):
-    polar, azimuth = math.radians(polar), math.radians(azimuth)
-    return np.array([math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)])
+    return directions.direction(math.radians(polar), math.radians(azimuth))
 
 
 def lower_normal(deviation):
@@ -65,7 +65,7 @@ def test_albedo_of_parallel_boundaries(r1, e0, e1):
 @pytest.mark.parametrize("deviation", [5.0, 10.0, 14.0])
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
 def test_albedo_of_deviated_boundaries(r1, e0, e1, deviation):
-    """Within 5 % wherever the lobes leave the layer: more than a quarter of what they do at normal incidence."""
+    """Within 5 % wherever the lobes leave the layer: above a quarter of the albedo at normal incidence."""
     thicknesses = (15.0, 70.0, 170.0)
     r1, n1 = np.array(r1), lower_normal(deviation)
     at_normal = formula_albedos(view_at(0.0), n1, r1, thicknesses, e0, e1)
@@ -93,7 +93,7 @@ def beckmann(light, view, lobe):
 
 
 def top(angles, seen):
-    """First and last angle above four fifths of each channel's largest value: a flat top has no single highest point."""
+    """First and last angle above four fifths of each channel's largest value: tops may be flat."""
     stretches = [angles[channel > 0.8 * channel.max()] for channel in seen.T]
     return np.array([[stretch[0], stretch[-1]] for stretch in stretches])
 
@@ -102,7 +102,7 @@ def top(angles, seen):
 @pytest.mark.parametrize("deviation", [0.0, 5.0, 10.0, 14.0])
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
 def test_peaks_of_the_channels(r1, e0, e1, deviation, polar):
-    """A lamp moved through the plane of V and n0 is brightest at the same angle, within 1° for each channel."""
+    """A lamp moved through the plane of V and n0 is brightest at the same angle within 1°, per channel."""
     r1, n1, view = np.array(r1), lower_normal(deviation), view_at(polar)
     angles = np.arange(-75.0, 75.0, 0.1)
     lamps = np.stack([view_at(angle) for angle in angles])

@@ -1,4 +1,4 @@
-"""The layered RGB sampler: its density is that of its draws, its weights average to the integral of the formula."""
+"""The layered RGB sampler: its density is that of its draws, its weights average to the integral."""
 
 import math
 
@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from addon.reflectance import directions
 from addon.reflectance import layered_rgb as layered
 from addon.reflectance import layered_rgb_sampler as sampler
 
@@ -21,8 +22,7 @@ VIEWS = [(0.0, 0.0), (40.0, 0.0), (40.0, 180.0), (75.0, 90.0)]
 
 
 def direction(polar, azimuth):
-    polar, azimuth = math.radians(polar), math.radians(azimuth)
-    return np.array([math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)])
+    return directions.direction(math.radians(polar), math.radians(azimuth))
 
 
 def grid(polar=900, azimuthal=300):
@@ -107,7 +107,7 @@ def test_shares_sum_to_one_and_every_lobe_is_drawn():
 
 
 def beckmann(light, view, lobe):
-    """Cycles' anisotropic Beckmann lobe about H times its cosine, Smith's G, tangent in the plane of V and H."""
+    """Cycles' anisotropic Beckmann lobe about H times its cosine, tangent in the plane of V and H."""
     def inner(a, b):
         return np.sum(a * b, axis=-1)
 
@@ -129,8 +129,9 @@ def beckmann(light, view, lobe):
     return np.where(inner(n, light) > 0, value, 0.0)
 
 
-@pytest.mark.parametrize("case, view", [(CASES[0], (0.0, 0.0)), (CASES[0], (50.0, 0.0)), (CASES[1], (30.0, 0.0)),
-                                        (CASES[1], (60.0, 0.0)), (CASES[2], (0.0, 0.0)), (CASES[2], (60.0, 0.0))])
+@pytest.mark.parametrize("case, view", [
+    (CASES[0], (0.0, 0.0)), (CASES[0], (50.0, 0.0)), (CASES[1], (30.0, 0.0)), (CASES[1], (60.0, 0.0)),
+    (CASES[2], (0.0, 0.0)), (CASES[2], (60.0, 0.0))])
 def test_default_width_keeps_the_formula(case, view):
     """With the default width, lamps of no size see the formula within 3 % in the mean over its lobes."""
     r1, d, e0, e1, n1, v = setting(case, view)
@@ -139,7 +140,8 @@ def test_default_width_keeps_the_formula(case, view):
     narrow0, narrow1 = (sampler.narrowed_exponent(e, width) for e in (e0, e1))
     lobes = sampler.proposal(v, UP, n1, r1, narrow0, narrow1)
     drawn = sampler.draw(lobes, v, UP, n1, r1, narrow0, narrow1, *numbers(60000, 5))
-    weights = sampler.weight(lobes, drawn, v, UP, n1, r1, d, layered.WAVELENGTHS, narrow0, narrow1, width=width)
+    weights = sampler.weight(lobes, drawn, v, UP, n1, r1, d, layered.WAVELENGTHS, narrow0, narrow1,
+                             width=width)
     kernel = sampler.kernel(drawn, v, width)
     lamps = sampler.draw(axes, v, UP, n1, r1, e0, e1, *numbers(60, 6)).light
     cosines = layered.inner_products(lamps, v, UP, n1, r1)
