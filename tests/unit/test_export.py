@@ -169,7 +169,8 @@ def test_a_write_that_fails_changes_nothing(step, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("path, says", [
     ("none/a.csv", "does not exist"), (".", "is a folder"), ("", "named by its path"),
-    (None, "named by its path"), ("a\0.csv", "named by its path"), (b"a.csv", "named by its path"), ("/dev/null", "no ordinary file"),
+    (None, "named by its path"), ("a\0.csv", "named by its path"), (b"a.csv", "named by its path"),
+    ("/dev/null", "no ordinary file"),
     ("x" * 300, "too long")])
 def test_where_nothing_can_be_written_is_said(path, says, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -91,8 +91,21 @@ def test_sopra(head, wavelength):
     assert constants.k.tolist() == [2.0, 2.5, 3.0][::turned]
 
 
+def test_what_dos_ended_files_with_is_no_fault():
+    assert read_text("4 400 700 1\r\n1.5 0\r\n1.4 0.1\r\n\x1a", "Ag.nk").n.tolist() == [1.5, 1.4]
+
+
 def test_sopra_is_known_by_its_head_too():
     assert read_text("4 400 700 1\n1.5 0\n1.4 0.1\n").k.tolist() == [0.0, 0.1]
+
+
+@pytest.mark.parametrize("heading", [
+    "Wavelength(nm),n", "WL/nm;n", "wavelength_nm\tn", "wavelength nm, n", "Wavelength in nm, n", "λ [nm]  n",
+    "Lambda (nm) Index", "lam nm, refractive index", "Wavelengths (nanometers), Index of refraction", "nm n",
+    "wvl [NM], N", "'wavelength (nm)', 'n'", "w,nm,n", "Wavelength (nm),n (-)"])
+def test_headings_as_people_write_them(heading):
+    separator = next((s for s in "\t;," if s in heading), " ")
+    assert read_text(f"{heading}\n400{separator}1.5\n700{separator}1.4\n").n.tolist() == [1.5, 1.4]
 
 
 def test_luxpop():

@@ -1,5 +1,6 @@
 """Files with something wrong: a clear error and nothing else."""
 
+import time
 import warnings
 
 import numpy as np
@@ -9,6 +10,8 @@ from hypothesis import strategies as st
 
 from addon.bake.reflected import reflect
 from addon.errors import FacetFilmError
+from addon.export import spectrum_csv
+from addon.spectra.optical_constants import OpticalConstants
 from addon.spectra.readers import read, read_file, read_text
 from tests.unit.malformed import MALFORMED, VALID
 
@@ -107,3 +110,27 @@ def test_any_change_of_a_valid_file(name, data):
             ["nan", "\n", "-", "1e308", "1e-308", "\x00", "٣", "9" * 400])))
         content = content[:start] + put + content[end:]
     assert_reads_or_refuses(lambda: read_text(content, file))
+
+
+@pytest.mark.parametrize("unit", [
+    "1", "1 ", "1,", "1\n", "a", "<", ",", ";", " ", "\n", "a in ", "- a:\n", "400,1.5\n", "(", "n\n1 1\n", "#",
+    "\t1", "1e9;"])
+@pytest.mark.parametrize("name", ["a.csv", "a.nk", "a.yml"])
+def test_a_great_deal_of_anything_is_refused_soon(unit, name):
+    head = "REFERENCES: " if unit == "<" else "DATA:\n" if name == "a.yml" else ""
+    content = head + unit * (400_000 // len(unit))
+    start = time.perf_counter()
+    assert assert_reads_or_refuses(lambda: read_text(content, name)) is None
+    assert time.perf_counter() - start < 3.0
+
+
+@given(st.lists(st.tuples(st.floats(350.0, 800.0), st.floats(1e-3, 100.0), st.floats(0.0, 100.0)),
+                min_size=2, max_size=30), st.booleans())
+def test_what_is_written_is_read_as_it_was(points, has_k):
+    points = sorted({point[0]: point for point in [*points, (410.0, 1.5, 0.0), (690.0, 1.5, 1.0)]}.values())
+    wavelength, n, k = map(np.array, zip(*points))
+    written = OpticalConstants(wavelength, n, k if has_k else 0.0 * k, "x", has_k=has_k)
+    again = read_text(spectrum_csv(written))
+    for name in ("wavelength_nm", "n", "k"):
+        np.testing.assert_array_equal(getattr(again, name), getattr(written, name))
+    assert again.has_k == has_k

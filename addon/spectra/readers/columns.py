@@ -11,7 +11,7 @@ import re
 
 import numpy as np
 
-from .headings import NM_OF, Column, columns_of
+from .headings import Column, columns_of, in_nm
 from .points import Points, checked, constants
 from .text import number_of
 
@@ -21,8 +21,11 @@ DATA = re.compile(r"[\"'\s,;]*[+-]?(?:[.,]?\d|nan\b|inf(?:inity)?\b)", re.IGNORE
 COMMA_NUMBER = r"[+-]?\d+(?:,\d+)?(?:[eE][+-]?\d+)?"
 DECIMAL_COMMA_ROW = re.compile(rf"{COMMA_NUMBER}(?:\s+{COMMA_NUMBER})+")
 VISIBLE = {"nm": (360.0, 780.0), "µm": (0.36, 0.78), "Å": (3600.0, 7800.0)}
-LARGEST_PLAIN_INDEX = 8.0
-"""Of n in a table of two columns without headings; above it they hold percent."""
+LARGEST_PLAIN_INDEX, LEAST_PLAIN_PERCENT = 3.0, 10.0
+"""In a table of two columns without headings: n up to the one, a reflectance in percent from the other on.
+
+Between them lie the percents of glasses and the n of semiconductors alike.
+"""
 
 
 @dataclasses.dataclass
@@ -53,7 +56,7 @@ def read_columns(text):
     found = []
     for block, unit in zip(blocks, units):
         table = np.array(block.rows)
-        wavelength = np.round(table[:, 0] * NM_OF[unit], 9)
+        wavelength = in_nm(table[:, 0], unit)
         columns = block.columns or _columns_by_values(text, block, table)
         for column, values in zip(columns[1:], table.T[1:]):
             values = _share(column, values) if column.role == "R" else values
@@ -166,7 +169,7 @@ def _columns_by_values(text, block, table):
         return [Column("wavelength"), Column("n")]
     if (values < 1.0).all():
         return [Column("wavelength"), Column("R")]
-    if (values > LARGEST_PLAIN_INDEX).all():
+    if (values >= LEAST_PLAIN_PERCENT).all():
         return [Column("wavelength"), Column("R", "%")]
     span = f"{values.min():g} to {values.max():g}"
     return text.refuse(block.lines[0], f"the second numbers, {span}, may be n or R",

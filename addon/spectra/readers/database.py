@@ -9,6 +9,7 @@ import re
 import numpy as np
 
 from ..optical_constants import VISIBLE_NM, sampled_formula
+from .headings import in_nm
 from .points import LICENCE, Points, checked, constants
 from .text import number_of
 
@@ -22,6 +23,7 @@ TYPES = "'tabulated n', 'tabulated k', 'tabulated nk' or 'formula 1' to 'formula
 EXAMPLE = "an entry such as '- type: tabulated nk'"
 LEAST_COEFFICIENTS = {8: 4, 9: 6}
 MOST_COEFFICIENTS = 40
+LONGEST_REFERENCE = 2000
 
 
 def is_database(text):
@@ -122,7 +124,7 @@ def _tabulated(text, item, roles):
             text.refuse(number, f"has {len(rows[-1])} numbers",
                         f"{1 + len(roles)}: wavelength, " + ", ".join(roles))
     table = np.array(rows)
-    wavelength = np.round(1000.0 * table[:, 0], 9)
+    wavelength = in_nm(table[:, 0], "µm")
     return [checked(text, Points(role, wavelength, values, np.array(lines)))
             for role, values in zip(roles, table.T[1:])]
 
@@ -165,5 +167,5 @@ def _references(text):
             line = top[2] or ""
         if inside:
             found.append(line.strip())
-    plain = " ".join(re.sub(r"<[^>]*>", "", " ".join(found)).replace("|", " ").split()).strip("'\"").strip()
-    return plain[:1000] or LICENCE
+    plain = re.sub(r"<[^>]*>", "", " ".join(found)[:LONGEST_REFERENCE]).replace("|", " ")
+    return " ".join(plain.split()).strip("'\"").strip() or LICENCE

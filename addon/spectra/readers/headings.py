@@ -4,7 +4,9 @@ import dataclasses
 import re
 import unicodedata
 
-__all__ = ["Column", "columns_of", "NM_OF"]
+import numpy as np
+
+__all__ = ["Column", "columns_of", "in_nm"]
 
 NM_OF = {"nm": 1.0, "µm": 1000.0, "Å": 0.1}
 """nm in a unit of wavelength."""
@@ -33,6 +35,22 @@ PHRASES = re.compile(
     r"|wave length|reflectance at normal incidence|\S+ in \S+)")
 
 
+LONGEST = 300
+"""Letters of a line of headings."""
+
+
+def in_nm(wavelength, unit):
+    """Wavelengths in nm, without the digits that binary fractions add where the unit is another.
+
+    wavelength  ``(W,)``
+    unit        "nm", "µm" or "Å"
+
+    >>> in_nm(np.array([0.5876]), "µm").tolist()
+    [587.6]
+    """
+    return wavelength if unit == "nm" else np.round(wavelength * NM_OF[unit], 9)
+
+
 @dataclasses.dataclass(frozen=True)
 class Column:
     """A column's role, "wavelength", "n", "k" or "R", and its unit: "nm", "µm", "Å", "%" or ""."""
@@ -53,6 +71,9 @@ def columns_of(text, line, heading):
     >>> [(column.role, column.unit) for column in columns_of(Text("a", "a"), 1, "Wavelength, µm, n, k")]
     [('wavelength', 'µm'), ('n', ''), ('k', '')]
     """
+    if len(heading) > LONGEST:
+        text.refuse(line, f"has {len(heading)} letters and begins with no number",
+                    "numbers, or short headings")
     columns = [_column(text, line, cell) for cell in _cells(heading)]
     roles = [column.role for column in columns]
     if roles[:1] != ["wavelength"] or len(set(roles)) < len(roles) or len(roles) < 2:

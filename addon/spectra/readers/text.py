@@ -10,12 +10,16 @@ from ...errors import FacetFilmError
 __all__ = ["Text", "text_of_file", "number_of", "LARGEST_BYTES"]
 
 LARGEST_BYTES = 8_000_000
-"""Of a file or text: hundreds of thousands of points, where a spectrum has hundreds."""
+"""Of a file or text."""
+MOST_LINES = 100_000
+"""A spectrum has hundreds; so many are read in about a second."""
 
 BYTE_ORDER_MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF32_LE, "utf-32"), (codecs.BOM_UTF32_BE, "utf-32"),
     (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 NOT_TEXT = re.compile(r"[\x00-\x08\x0e-\x1f\x7f\ud800-\udfff]")
+END_OF_FILE = "\x1a"
+"""With which files of DOS end: those of the SOPRA collection are as old."""
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 
 
@@ -36,13 +40,18 @@ class Text:
         if not isinstance(content, str):
             self.refuse(None, "is no text", "lines of numbers")
         if len(content) > LARGEST_BYTES:
-            self.refuse_size()
-        self.lines = re.split(r"\r\n|\r|\n", content.removeprefix("\ufeff"))
+            self.refuse(None, f"has {len(content) / 1e6:.1f} MB and is too large to be a spectrum",
+                        f"at most {LARGEST_BYTES / 1e6:g} MB")
+        content = content.removeprefix("\ufeff").rstrip(END_OF_FILE)
+        self.lines = re.split(r"\r\n|\r|\n", content)
         strange = NOT_TEXT.search(content)
         if strange:
             line = len(re.split(r"\r\n|\r|\n", content[:strange.start()]))
             self.refuse(line, "is binary", "a text file such as CSV")
-        if not content.removeprefix("\ufeff").strip():
+        if len(self.lines) > MOST_LINES:
+            self.refuse(None, f"has {len(self.lines)} lines, too many for a spectrum",
+                        f"at most {MOST_LINES}")
+        if not content.strip():
             self.refuse(None, "is empty", "lines of wavelength, n, k")
 
     @property
@@ -62,10 +71,6 @@ class Text:
         """
         place = self.name if line is None else f"{self.name}, line {line}"
         raise FacetFilmError(f"{place}: {_one_line(found)}; expected {expected}.")
-
-    def refuse_size(self):
-        """Raise the error of a text that is too long."""
-        self.refuse(None, "is too large to be a spectrum", f"at most {LARGEST_BYTES / 1e6:g} MB")
 
 
 def text_of_file(path):
