@@ -226,3 +226,12 @@ def _seconds(call):
     start = time.perf_counter()
     call()
     return time.perf_counter() - start
+
+
+def test_the_examples_of_the_documentation_are_read():
+    page = (pathlib.Path(__file__).resolve().parents[2] / "docs" / "own_data.md").read_text(encoding="utf-8")
+    samples = [block.partition("```")[0] for block in page.split("```text\n")[1:]]
+    assert [read_text(sample).normal_only for sample in samples] == [False, True]
+    with pytest.raises(FacetFilmError) as refused:
+        read_text("nm,n\n400,1.5\n550,1.5\n500,1.4\n", "gold.csv")
+    assert f"error: {refused.value}\n" in page

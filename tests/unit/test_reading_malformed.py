@@ -113,8 +113,8 @@ def test_any_change_of_a_valid_file(name, data):
 
 
 @pytest.mark.parametrize("unit", [
-    "1", "1 ", "1,", "1\n", "a", "<", ",", ";", " ", "\n", "a in ", "- a:\n", "400,1.5\n", "(", "n\n1 1\n", "#",
-    "\t1", "1e9;"])
+    "1", "1 ", "1,", "1\n", "a", "<", ",", ";", " ", "\n", "a in ", "- a:\n", "400,1.5\n", "(", "#",
+    "n\n1 1\n", "\t1", "1e9;"])
 @pytest.mark.parametrize("name", ["a.csv", "a.nk", "a.yml"])
 def test_a_great_deal_of_anything_is_refused_soon(unit, name):
     head = "REFERENCES: " if unit == "<" else "DATA:\n" if name == "a.yml" else ""
