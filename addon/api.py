@@ -20,7 +20,7 @@ NATIVE_FRESNEL = ("fast", "osl_fast")
 def bake(preset, **options):
     """Bake a measured material for this Blender and the open file; a :class:`addon.bake.Bake`.
 
-    preset   preset name or alias, or a dataset such as "main/Cu/Johnson"
+    preset   preset name or alias, a dataset such as "main/Cu/Johnson", or OpticalConstants
     options  as :func:`addon.bake.bake` has them; `formula` is by default the
              conductor Fresnel that this Blender evaluates, `space` the file's
              scene-linear space.
@@ -39,7 +39,8 @@ def create_material(model="cook_torrance", *, preset=None, realisation="fast", n
     """A Cycles material of one of the models.
 
     model        "cook_torrance", or "layered_rgb"
-    preset       preset name or alias, or for Cook-Torrance a dataset; None for the parameters alone
+    preset       preset name or alias, or for Cook-Torrance a dataset or OpticalConstants (a file of yours, read by
+                 :func:`addon.spectra.readers.read`); None for the parameters alone
     realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL)
                  or "osl_fast" (closures, by OSL)
     name         of the new material; by default the preset's title
@@ -93,16 +94,14 @@ def switch_realisation(material, realisation):
         raise FacetFilmError(f"{material.name} is not a material of Facet & Film: make one with create_material() "
                              "or Bake Spectral Preset.")
     _require_osl(realisation)
-    record = materials.record_of(material)
-    if model == "cook_torrance" and record and _as_baked(materials.parameters_of(material), record):
-        baked, by_f82 = _baked_for(record["name"], realisation, {
-            option: record[option] for option in ("illuminant", "observer", "space")} | {
-            "gamut": record["gamut"]["method"], "adapt": record["adapted"]})
-        parameters = materials.parameters_of(material)
-        materials.switch(material, realisation, by_f82=by_f82)
-        materials.rebake(material, parameters.changed(n=baked.conductor.n, k=baked.conductor.k), baked.to_dict())
-    else:
+    baked_again = _baked_again(material, realisation) if model == "cook_torrance" else None
+    if baked_again is None:
         materials.switch(material, realisation)
+        return
+    baked, by_f82 = baked_again
+    parameters = materials.parameters_of(material).changed(n=baked.conductor.n, k=baked.conductor.k)
+    materials.switch(material, realisation, by_f82=by_f82)
+    materials.rebake(material, parameters, baked.to_dict())
 
 
 def create_fresnel_ramp(preset, **options):
@@ -148,6 +147,22 @@ def _baked_for(preset, realisation, options):
     baked = bake(preset, **options)
     by_f82 = baked.best == "f82" and baked.conductor.delta_e_2000_max > FAR_OFF
     return (exact, True) if by_f82 else (baked, False)
+
+
+def _baked_again(material, realisation):
+    """The bake of the material's preset for another realisation, and whether it is for F82.
+
+    None where n and k are no longer as baked, or came from a file of the user's.
+    """
+    from .blender import materials
+    record = materials.record_of(material)
+    if not record or record["source"]["dataset"].startswith("file:"):
+        return None
+    if not _as_baked(materials.parameters_of(material), record):
+        return None
+    options = {option: record[option] for option in ("illuminant", "observer", "space")}
+    return _baked_for(record["name"], realisation,
+                      {**options, "gamut": record["gamut"]["method"], "adapt": record["adapted"]})
 
 
 def _as_baked(parameters, record):

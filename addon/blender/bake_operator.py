@@ -1,11 +1,14 @@
 """The operator that bakes a preset into the active material slot."""
 
+from contextlib import contextmanager
+from types import SimpleNamespace
+
 import bpy
 
 from ..errors import FacetFilmError
 from .settings import MODEL_ITEMS, REALISATION_ITEMS, preset_property
 
-__all__ = ["CLASSES"]
+__all__ = ["CLASSES", "is_editable", "said_of", "target_material", "why_not"]
 
 
 class FACET_FILM_OT_bake_preset(bpy.types.Operator):
@@ -31,18 +34,28 @@ class FACET_FILM_OT_bake_preset(bpy.types.Operator):
     def execute(self, context):
         """Bake, and put the material in the slot."""
         from ..api import create_material
-        target = context.active_object
-        slot_material = target.active_material
-        own = slot_material if slot_material and is_editable(slot_material) else None
         try:
-            material = create_material(self.model, preset=self.preset, realisation=self.realisation, material=own)
+            with target_material(context.active_object) as target:
+                target.material = create_material(
+                    self.model, preset=self.preset, realisation=self.realisation, material=target.material)
         except FacetFilmError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        if own is None:
-            target.active_material = material
-        self.report({"INFO"}, said_of(material))
+        self.report({"INFO"}, said_of(context.active_object.active_material))
         return {"FINISHED"}
+
+
+@contextmanager
+def target_material(target):
+    """The editable material in the object's active slot as `.material`, or None where there is none.
+
+    Whatever `.material` is at the end stands in the slot.
+    """
+    found = target.active_material
+    held = SimpleNamespace(material=found if found and is_editable(found) else None)
+    yield held
+    if target.active_material != held.material:
+        target.active_material = held.material
 
 
 def why_not(target):

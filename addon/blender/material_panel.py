@@ -109,4 +109,23 @@ class FACET_FILM_PT_baked(_MaterialPanel, bpy.types.Panel):
             column.label(text=f"Outside the gamut: {gamut['method']}, largest change {gamut['largest_change']:.4f}")
 
 
-CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_parameters, FACET_FILM_PT_baked)
+class FACET_FILM_PT_data(_MaterialPanel, bpy.types.Panel):
+    """Measurements in and out, and compared"""
+
+    bl_label = "Data"
+    bl_parent_id = "FACET_FILM_PT_material"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        """Import, paste, export, check, compare."""
+        settings = context.window_manager.facet_film
+        column = self.layout.column(align=True)
+        column.operator("facet_film.import_constants", icon="FILEBROWSER").realisation = settings.realisation
+        column.operator("facet_film.paste_constants", icon="PASTEDOWN").realisation = settings.realisation
+        column.operator_menu_enum("facet_film.export", "form", icon="EXPORT")
+        column = self.layout.column(align=True)
+        column.operator("facet_film.check", icon="CHECKMARK").against = settings.preset
+        column.operator("facet_film.spread", icon="SORTSIZE").material = settings.preset
+
+
+CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_parameters, FACET_FILM_PT_baked, FACET_FILM_PT_data)

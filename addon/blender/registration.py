@@ -2,11 +2,12 @@
 
 import bpy
 
-from . import bake_operator, material_panel, realisation_operator, settings
+from . import bake_operator, check_operator, data_operators, material_panel, realisation_operator, settings
 
 __all__ = ["register", "unregister"]
 
-CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *material_panel.CLASSES)
+CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *data_operators.CLASSES,
+           *check_operator.CLASSES, *material_panel.CLASSES)
 COMMAND = "facet_film"
 _commands = []
 

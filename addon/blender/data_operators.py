@@ -1,0 +1,133 @@
+"""Operators that bring a user's own measurements in, and baked materials out."""
+
+import bpy
+
+from ..errors import FacetFilmError
+from .bake_operator import said_of, target_material, why_not
+from .materials import model_of, record_of
+from .settings import REALISATION_ITEMS
+
+__all__ = ["CLASSES"]
+
+FORMS = (
+    ("json", "JSON", "Everything that was baked", ".json"),
+    ("csv", "CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
+    ("spectrum_csv", "CSV of the Spectrum", "The measured points: wavelength_nm, n, k", ".csv"),
+    ("materialx", "MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
+)
+
+
+class _FromConstants:
+    """What importing and pasting share: bake OpticalConstants into the active material slot."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        """Needs an active object of this file that takes materials."""
+        reason = why_not(context.active_object)
+        if reason:
+            cls.poll_message_set(reason)
+        return not reason
+
+    def bake(self, context, read):
+        """Read, and bake what was read; one clear sentence where it cannot be."""
+        from ..api import create_material
+        try:
+            constants = read()
+            with target_material(context.active_object) as target:
+                target.material = create_material(
+                    preset=constants, realisation=self.realisation, material=target.material)
+        except FacetFilmError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, said_of(context.active_object.active_material))
+        return {"FINISHED"}
+
+
+def _realisation_property():
+    return bpy.props.EnumProperty(
+        name="Realisation", items=REALISATION_ITEMS, description="How the formula becomes a Cycles material")
+
+
+class FACET_FILM_OT_import_constants(_FromConstants, bpy.types.Operator):
+    """Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's \
+CSV and YAML; SOPRA and LuxPop .nk"""
+
+    bl_idname = "facet_film.import_constants"
+    bl_label = "Import Measurement"
+
+    filepath: bpy.props.StringProperty(subtype="FILE_PATH", description="File of optical constants")
+    filter_glob: bpy.props.StringProperty(default="*.csv;*.txt;*.dat;*.tsv;*.yml;*.yaml;*.nk", options={"HIDDEN"})
+    realisation: _realisation_property()
+
+    def invoke(self, context, _event):
+        """Ask for the file."""
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context):
+        """Read the file, bake it, put the material in the slot."""
+        from ..spectra.readers import read_file
+        return self.bake(context, lambda: read_file(bpy.path.abspath(self.filepath)))
+
+
+class FACET_FILM_OT_paste_constants(_FromConstants, bpy.types.Operator):
+    """Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R"""
+
+    bl_idname = "facet_film.paste_constants"
+    bl_label = "Paste Measurement"
+
+    realisation: _realisation_property()
+
+    def execute(self, context):
+        """Read the clipboard, bake it, put the material in the slot."""
+        from ..spectra.readers import read_text
+        return self.bake(context, lambda: read_text(context.window_manager.clipboard))
+
+
+class FACET_FILM_OT_export(bpy.types.Operator):
+    """Write what was baked into the active material as JSON, CSV or MaterialX"""
+
+    bl_idname = "facet_film.export"
+    bl_label = "Export Measurement"
+
+    filepath: bpy.props.StringProperty(subtype="FILE_PATH", description="File to write")
+    form: bpy.props.EnumProperty(name="Form", items=[item[:3] for item in FORMS], description="What to write")
+
+    @classmethod
+    def poll(cls, context):
+        """Needs a Cook-Torrance material with a measurement."""
+        material = getattr(context.active_object, "active_material", None)
+        if material is None or model_of(material) != "cook_torrance" or not record_of(material):
+            cls.poll_message_set("Bake a measured material first: there is nothing to export")
+            return False
+        return True
+
+    def invoke(self, context, _event):
+        """Ask for the file."""
+        ending = next(item[3] for item in FORMS if item[0] == self.form)
+        self.filepath = record_of(context.active_object.active_material)["name"].replace("/", "_") + ending
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context):
+        """Bake again for the exact formula, which other programs evaluate, and write it."""
+        from .. import export
+        from ..api import bake
+        from ..bake.reflected import material as measured
+        name = record_of(context.active_object.active_material)["name"]
+        try:
+            baked = bake(name, formula="exact")
+            text = {"json": lambda: export.bake_json(baked), "csv": lambda: export.curve_csv(baked),
+                    "spectrum_csv": lambda: export.spectrum_csv(measured(name)[1]),
+                    "materialx": lambda: export.materialx(baked)}[self.form]()
+            written = export.write_text(bpy.path.abspath(self.filepath), text)
+        except FacetFilmError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"Wrote {written}")
+        return {"FINISHED"}
+
+
+CLASSES = (FACET_FILM_OT_import_constants, FACET_FILM_OT_paste_constants, FACET_FILM_OT_export)

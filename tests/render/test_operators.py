@@ -1,0 +1,71 @@
+"""The operators, called as scripts and the panel call them."""
+
+import json
+
+import bpy
+import pytest
+
+import addon
+from addon.blender import materials
+from addon.spectra.optical_constants import load
+from addon.export import spectrum_csv
+
+
+@pytest.fixture
+def target():
+    """An object with an empty material slot, the extension registered."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    addon.register()
+    mesh = bpy.data.meshes.new("Target")
+    found = bpy.data.objects.new("Target", mesh)
+    bpy.context.scene.collection.objects.link(found)
+    bpy.context.view_layer.objects.active = found
+    yield found
+    addon.unregister()
+
+
+def test_a_file_becomes_a_material_and_goes_out_again(target, tmp_path):
+    file = tmp_path / "my copper.csv"
+    file.write_text(spectrum_csv(load("main/Cu/Johnson")))
+    assert bpy.ops.facet_film.import_constants(filepath=str(file)) == {"FINISHED"}
+    own = materials.parameters_of(target.active_material)
+    assert bpy.ops.facet_film.bake_preset(preset="copper") == {"FINISHED"}
+    assert own.n == pytest.approx(materials.parameters_of(target.active_material).n, rel=1e-4)
+    for form, found in (("json", '"dataset": "main/Cu/Johnson"'), ("csv", "cos_theta,r,g,b"),
+                        ("spectrum_csv", "wavelength_nm,n,k"), ("materialx", "conductor_bsdf")):
+        out = tmp_path / f"out_{form}"
+        assert bpy.ops.facet_film.export(filepath=str(out), form=form) == {"FINISHED"}
+        assert found in out.read_text(encoding="utf-8")
+    assert json.loads((tmp_path / "out_json").read_text(encoding="utf-8"))["name"] == "copper"
+
+
+def test_a_bad_file_changes_nothing(target, tmp_path):
+    bpy.ops.facet_film.bake_preset(preset="copper")
+    before = materials.parameters_of(target.active_material)
+    file = tmp_path / "bad.csv"
+    file.write_text("wavelength_nm,n,k\n400,1.2,3\n380,1.1,2\n")
+    with pytest.raises(RuntimeError, match="line 3"):
+        bpy.ops.facet_film.import_constants(filepath=str(file))
+    assert materials.parameters_of(target.active_material) == before
+    assert len(bpy.data.materials) == 1
+
+
+def test_check_and_spread_answer(target):
+    assert bpy.ops.facet_film.check(against="copper", kind="material", material="gold") == {"FINISHED"}
+    assert bpy.ops.facet_film.check(against="copper", kind="nk") == {"FINISHED"}
+    assert bpy.ops.facet_film.check(against="copper", kind="f0") == {"FINISHED"}
+    assert bpy.ops.facet_film.spread(material="gold") == {"FINISHED"}
+    with pytest.raises(RuntimeError, match="did you mean"):
+        bpy.ops.facet_film.check(against="coper")
+
+
+def test_operators_are_off_where_they_cannot_work(target):
+    assert not bpy.ops.facet_film.export.poll()
+    assert not bpy.ops.facet_film.switch_realisation.poll()
+    bpy.context.view_layer.objects.active = None
+    assert not bpy.ops.facet_film.bake_preset.poll()
+    assert not bpy.ops.facet_film.import_constants.poll()
+    empty = bpy.data.objects.new("Empty", None)
+    bpy.context.scene.collection.objects.link(empty)
+    bpy.context.view_layer.objects.active = empty
+    assert not bpy.ops.facet_film.bake_preset.poll()
