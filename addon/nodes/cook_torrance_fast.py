@@ -7,6 +7,7 @@ sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.
 
 from ..operands import sqrt
 from ..reflectance.gaussian_lobes import gaussian_lobes
+from ..reflectance.slopes import gaussian_c
 from .builder import GroupBuilder
 from .cook_torrance_inputs import cook_torrance_inputs
 
@@ -47,7 +48,9 @@ def build_with(name, fresnel_of):
 def _slope(builder, sockets, m, share, fresnel, normal):
     """The lobes of one rms slope: one for Beckmann's D, three for the Gaussian."""
     lobes = [(share * (1.0 - sockets.gaussian), m)]
-    lobes += [(share * (sockets.gaussian * part), slope) for part, slope in gaussian_lobes(m)]
+    printed = sockets.gaussian_c / gaussian_c(m)  # in the published scale the printed c takes that one's place
+    gaussian = share * (sockets.gaussian * (1.0 + sockets.published * (printed - 1.0)))
+    lobes += [(gaussian * part, slope) for part, slope in gaussian_lobes(m)]
     return [_beckmann(builder, part, slope, fresnel, normal) for part, slope in lobes]
 
 
@@ -62,7 +65,8 @@ def _beckmann(builder, share, m, fresnel, normal):
 def _scaled(builder, specular, sockets):
     """The specular part, four times as bright in the published scale.
 
-    A closure's weight is held to 1, so four equal closures are added up.
+    A closure's weight is held to 1, so four equal closures are added up; a printed
+    c of the Gaussian above the one that normalises is held to it.
     """
     twice = builder.add_shaders(specular, specular)
     return builder.node("ShaderNodeMixShader", {

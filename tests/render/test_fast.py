@@ -93,6 +93,13 @@ def test_published_scale_is_four_times_as_bright():
     assert agrees(picture, reference, mask), probes.save_failure("fast_published", reference, picture)
 
 
+def test_published_gaussian_has_the_printed_c():
+    parameters = {"slopes": [(0.3, 1.0)], "distribution": "gaussian"}
+    picture, towards = rendered(**parameters, scale="published", gaussian_c=2.0, **COPPER)
+    reference, mask = formula(towards, **parameters, scale=ct.PUBLISHED, printed_c=2.0)
+    assert agrees(picture, reference, mask), probes.save_failure("fast_published_gaussian", reference, picture)
+
+
 BROKEN = {
     "no masking": {"masking": lambda c, m: 1.0},
     "F at normal incidence": {"fresnel": lambda cos_theta, n, k: fresnel.conductor(1.0 + 0.0 * cos_theta, n, k)},
