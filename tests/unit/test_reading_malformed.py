@@ -118,10 +118,10 @@ def test_any_change_of_a_valid_file(name, data):
 @pytest.mark.parametrize("name", ["a.csv", "a.nk", "a.yml"])
 def test_a_great_deal_of_anything_is_refused_soon(unit, name):
     head = "REFERENCES: " if unit == "<" else "DATA:\n" if name == "a.yml" else ""
-    content = head + unit * (400_000 // len(unit))
+    content = head + unit * (200_000 // len(unit))
     start = time.perf_counter()
     assert assert_reads_or_refuses(lambda: read_text(content, name)) is None
-    assert time.perf_counter() - start < 3.0
+    assert time.perf_counter() - start < 2.0
 
 
 @given(st.lists(st.tuples(st.floats(350.0, 800.0), st.floats(1e-3, 100.0), st.floats(0.0, 100.0)),
