@@ -21,7 +21,6 @@ class FACET_FILM_PT_material(_MaterialPanel, bpy.types.Panel):
     """Bake a measured material"""
 
     bl_label = "Facet & Film"
-    bl_order = -1  # before Preview and Surface: what the material is, then how it is wired
 
     @classmethod
     def poll(cls, context):
