@@ -7,11 +7,14 @@
 from .errors import FacetFilmError, choice
 from .parameters import REALISATIONS, CookTorrance
 
-__all__ = ["bake", "create_fresnel_ramp", "create_material", "switch_realisation", "MODELS", "REALISATIONS"]
+__all__ = ["bake", "create_fresnel_ramp", "create_material", "measurement_of", "switch_realisation", "MODELS", "REALISATIONS"]
 
 MODELS = ("cook_torrance", "layered_rgb")
 FAR_OFF = 1.0
 """CIEDE2000 from which a conductor's fit is given up where F82 comes closer."""
+
+OWN_DATA = "own_data"
+"""Of a material's record: the spectrum that the user brought, as CSV."""
 
 NATIVE_FRESNEL = ("fast", "osl_fast")
 """Realisations whose Fresnel term is the renderer's own."""
@@ -101,7 +104,7 @@ def switch_realisation(material, realisation):
     baked, by_f82 = baked_again
     parameters = materials.parameters_of(material).changed(n=baked.conductor.n, k=baked.conductor.k)
     materials.switch(material, realisation, by_f82=by_f82)
-    materials.rebake(material, parameters, baked.to_dict())
+    materials.rebake(material, parameters, _record(baked, measurement_of(materials.record_of(material))))
 
 
 def create_fresnel_ramp(preset, **options):
@@ -121,7 +124,24 @@ def cook_torrance_from_preset(preset, parameters, realisation):
         return CookTorrance().changed(**parameters), {}, False
     baked, by_f82 = _baked_for(preset, realisation, {})
     defaults = CookTorrance().changed(**baked.cook_torrance_parameters())
-    return defaults.changed(**parameters), baked.to_dict(), by_f82
+    return defaults.changed(**parameters), _record(baked, preset), by_f82
+
+
+def measurement_of(record):
+    """What a material's record was baked from, to bake it again: a name, or the user's own OpticalConstants."""
+    if OWN_DATA not in record:
+        return record["name"]
+    from .spectra.readers import read_text
+    return read_text(record[OWN_DATA], record["source"]["dataset"].removeprefix("file:"))
+
+
+def _record(baked, preset):
+    """What was baked, with the points of a user's own measurement, which no database holds."""
+    record = baked.to_dict()
+    if not isinstance(preset, str):
+        from .export import spectrum_csv
+        record[OWN_DATA] = spectrum_csv(preset)
+    return record
 
 
 def layered_from_preset(preset, parameters):
@@ -150,18 +170,16 @@ def _baked_for(preset, realisation, options):
 
 
 def _baked_again(material, realisation):
-    """The bake of the material's preset for another realisation, and whether it is for F82.
+    """The bake of the material's measurement for another realisation, and whether it is for F82.
 
-    None where n and k are no longer as baked, or came from a file of the user's.
+    None where n and k are no longer as baked.
     """
     from .blender import materials
     record = materials.record_of(material)
-    if not record or record["source"]["dataset"].startswith("file:"):
-        return None
-    if not _as_baked(materials.parameters_of(material), record):
+    if not record or not _as_baked(materials.parameters_of(material), record):
         return None
     options = {option: record[option] for option in ("illuminant", "observer", "space")}
-    return _baked_for(record["name"], realisation,
+    return _baked_for(measurement_of(record), realisation,
                       {**options, "gamut": record["gamut"]["method"], "adapt": record["adapted"]})
 
 

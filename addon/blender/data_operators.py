@@ -16,6 +16,8 @@ FORMS = (
     ("materialx", "MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
 )
 
+NOT_IN_NAMES = str.maketrans("/:", "__")
+
 
 class _FromConstants:
     """What importing and pasting share: bake OpticalConstants into the active material slot."""
@@ -107,20 +109,20 @@ class FACET_FILM_OT_export(bpy.types.Operator):
     def invoke(self, context, _event):
         """Ask for the file."""
         ending = next(item[3] for item in FORMS if item[0] == self.form)
-        self.filepath = record_of(context.active_object.active_material)["name"].replace("/", "_") + ending
+        self.filepath = record_of(context.active_object.active_material)["name"].translate(NOT_IN_NAMES) + ending
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
     def execute(self, context):
         """Bake again for the exact formula, which other programs evaluate, and write it."""
         from .. import export
-        from ..api import bake
+        from ..api import bake, measurement_of
         from ..bake.reflected import material as measured
-        name = record_of(context.active_object.active_material)["name"]
         try:
-            baked = bake(name, formula="exact")
+            measurement = measurement_of(record_of(context.active_object.active_material))
+            baked = bake(measurement, formula="exact")
             text = {"json": lambda: export.bake_json(baked), "csv": lambda: export.curve_csv(baked),
-                    "spectrum_csv": lambda: export.spectrum_csv(measured(name)[1]),
+                    "spectrum_csv": lambda: export.spectrum_csv(measured(measurement)[1]),
                     "materialx": lambda: export.materialx(baked)}[self.form]()
             written = export.write_text(bpy.path.abspath(self.filepath), text)
         except FacetFilmError as error:

@@ -7,8 +7,8 @@ import pytest
 
 import addon
 from addon.blender import materials
-from addon.spectra.optical_constants import load
 from addon.export import spectrum_csv
+from addon.spectra.optical_constants import load
 
 
 @pytest.fixture
@@ -29,6 +29,9 @@ def test_a_file_becomes_a_material_and_goes_out_again(target, tmp_path):
     file.write_text(spectrum_csv(load("main/Cu/Johnson")))
     assert bpy.ops.facet_film.import_constants(filepath=str(file)) == {"FINISHED"}
     own = materials.parameters_of(target.active_material)
+    assert bpy.ops.facet_film.switch_realisation(realisation="exact") == {"FINISHED"}
+    assert bpy.ops.facet_film.export(filepath=str(tmp_path / "again.csv"), form="spectrum_csv") == {"FINISHED"}
+    assert (tmp_path / "again.csv").read_text() == file.read_text()
     assert bpy.ops.facet_film.bake_preset(preset="copper") == {"FINISHED"}
     assert own.n == pytest.approx(materials.parameters_of(target.active_material).n, rel=1e-4)
     for form, found in (("json", '"dataset": "main/Cu/Johnson"'), ("csv", "cos_theta,r,g,b"),
