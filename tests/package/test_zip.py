@@ -16,7 +16,8 @@ ROOT = Path(__file__).resolve().parents[2]
 ALLOWED = ("__init__.py", "blender_manifest.toml", "LICENSE", "README.md",
            "addon/*.py", "addon/osl/*.osl", "addon/spectra/data/*",
            "node_groups/*.blend", "node_groups/blender_assets.cats.txt")
-NEEDED = ("__init__.py", "blender_manifest.toml", "LICENSE", "addon/__init__.py", "addon/cli.py", "addon/api.py")
+NEEDED = ("__init__.py", "blender_manifest.toml", "LICENSE", "addon/__init__.py", "addon/cli.py", "addon/api.py",
+          "node_groups/facet_film_groups.blend")
 
 
 @pytest.fixture

@@ -34,7 +34,7 @@ def test_every_lane_of_a_group_is_named_and_no_node_lies_on_another():
     nodes = [node for node in tree.nodes if node.bl_idname != "NodeFrame"]
     places = {tuple(np.round(node.location, 1)) for node in nodes}
     assert len(places) == len(nodes)
-    assert {"D", "F", "G"} <= {frame.label for frame in tree.nodes if frame.bl_idname == "NodeFrame"}
+    assert {"F", "G", "H"} <= {frame.label for frame in tree.nodes if frame.bl_idname == "NodeFrame"}
 
 
 MODELS = {"cook_torrance": {"slopes": [(0.35, 0.5), (0.15, 0.4)], "specular": 0.75, "distribution": "gaussian",
