@@ -118,13 +118,12 @@ def furnace_means(pictures):
 def sphere_reference(reference, resolution, towards, diameter, *, strength=1.0, subsamples=4, disc_rings=3):
     """The sphere's pixels under a sun, (resolution, resolution, 3), and the mask of those wholly on it."""
     normals, mask = probes.pixel_normals(resolution, subsamples=subsamples)
-    lights = probes.sun_directions(towards, diameter, rings=disc_rings)
     picture = np.zeros((resolution, resolution, 3))
     chosen = normals[mask]
     values = np.zeros((len(chosen), 3))
-    for light in lights:
-        values += reference.times_cosine(np.broadcast_to(light, chosen.shape), chosen).mean(axis=1)
-    picture[mask] = strength * values / len(lights)
+    for light, irradiance in zip(*probes.sun_directions(towards, diameter, rings=disc_rings)):
+        values += irradiance * reference.times_cosine(np.broadcast_to(light, chosen.shape), chosen).mean(axis=1)
+    picture[mask] = strength * values
     return picture, mask
 
 

@@ -140,18 +140,24 @@ def pixel_normals(resolution, *, extent=2.0, subsamples=1):
 
 
 def sun_directions(towards, diameter, rings=12):
-    """Directions spread evenly over a sun's disc, (rings * 48, 3), for averaging a formula over it."""
+    """Directions spread over a sun's disc, (rings * 48, 3), and the irradiance that each brings, (rings * 48,).
+
+    For a sun of strength 1: Cycles gives its cone the even radiance 1/(π sin²(δ/2)),
+    so the irradiances add up to 1 when each is seen under its angle to the axis.
+    """
     if diameter == 0.0:
-        return towards[None, :]
+        return towards[None, :], np.ones(1)
     sine = np.sin(0.5 * diameter)
-    # Even in projected solid angle: radiance E / (π sin²(δ/2)) over the cone, seen from along the axis.
+    # Even in projected solid angle about the axis: dω = dA / cos θ, so each direction's share is 1 / cos θ.
     radii = np.concatenate([np.full(48, np.sqrt((r + 0.5) / rings)) for r in range(rings)])
     angles = np.concatenate([2 * np.pi * (np.arange(48) + 0.5 * (r % 2)) / 48 for r in range(rings)])
     side = np.array([towards[2], 0.0, -towards[0]])
     up = np.cross(towards, side)
     rho = sine * radii
-    return (rho * np.cos(angles))[:, None] * side + (rho * np.sin(angles))[:, None] * up \
-        + np.sqrt(1.0 - rho * rho)[:, None] * towards
+    cosine = np.sqrt(1.0 - rho * rho)
+    directions = (rho * np.cos(angles))[:, None] * side + (rho * np.sin(angles))[:, None] * up \
+        + cosine[:, None] * towards
+    return directions, 1.0 / (cosine * len(cosine))
 
 
 @dataclass
