@@ -16,16 +16,16 @@ SMALLEST_DRAW = 1e-7
 
 
 def narrow_slope(m, width):
-    """Slope a of the narrow lobes for facets of rms slope m: width·m/√(1 + 12 m²).
+    """Slope a of the narrow lobes for facets of rms slope m: width·m/√(1 + 10 m²).
 
     width  Sampling Width, [0, 1]: a as a share of m where m is small.  The
            kinks of the V-cavity G, which the lobes blur, lie at fixed angles, so
-           a grows to no more than 0.29 width on rough surfaces.
+           a grows to no more than 0.32 width on rough surfaces.
 
     >>> round(float(narrow_slope(0.2, 0.2)), 4), round(float(narrow_slope(0.6, 0.2)), 4)
-    (0.0329, 0.052)
+    (0.0338, 0.056)
     """
-    return width * m / sqrt(1.0 + 12.0 * (m * m))
+    return width * m / sqrt(1.0 + 10.0 * (m * m))
 
 
 def narrowed(m, a):
