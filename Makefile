@@ -17,11 +17,12 @@ RUN = $(VENV)/bin/python
 OLDEST ?= .venv-4.5
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test package assets
+.PHONY: help setup demo test verify package assets
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
 	@echo "make test      run the tests; make test BPY=5.2 (or 4.5, 5.0, 5.1) for another Blender"
+	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
 	@echo "make assets    build the library of node groups and the catalogue of materials (on Blender 4.5)"
 	@echo "make setup     only make the environment that the others use ($(VENV))"
@@ -35,6 +36,10 @@ demo: setup
 
 test: setup
 	$(RUN) -m pytest $(TESTS)
+
+verify: setup
+	@mkdir -p out
+	$(RUN) -m addon verify -o out/verification$(series:%=-%).html --json out/verification$(series:%=-%).json
 
 package: setup
 	$(RUN) tools/package.py --out dist

@@ -20,6 +20,8 @@ VIEWING = ("illuminant", "observer", "space", "adapt", "gamut")
 def main(argv):
     """Run one command; the exit status: 0, or 2 with one sentence on stderr for input that cannot be used.
 
+    A verification that is not green ends with 1.
+
     argv  the words after the program's name
 
     >>> main(["bake", "coper"])
@@ -30,13 +32,16 @@ def main(argv):
     except SystemExit as end:  # argparse has said why
         return end.code or 0
     try:
-        print(options.run(options))
+        result = options.run(options)
+        text, status = result if isinstance(result, tuple) else (result, 0)
+        print(text, flush=True)
     except FacetFilmError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     except BrokenPipeError:  # the reader has had enough, as in `… | head`
         sys.stderr.close()
-    return 0
+        return 0
+    return status
 
 
 def _parser():
@@ -82,6 +87,12 @@ def _parser():
                        "the 1982 paper's ways to a colour over angle beside the exact one")
     command.add_argument("material", metavar=MATERIAL, help="a material")
     _add_viewing_options(command, gamut=False)
+
+    command = _command(commands, "verify", _verify, "render every model and realisation in this Blender and hold the "
+                       "pixels against the formulas", _add_report)
+    command.add_argument("--device", default="CPU", metavar="NAME",
+                         help="CPU (the default), or GPU: what the preferences switch on")
+    command.add_argument("--only", metavar="GROUP", help="cook_torrance, layered_rgb or data")
     return parser
 
 
@@ -94,6 +105,12 @@ def _command(commands, name, run, summary, add_forms=None):
 
 def _add_json(command):
     command.add_argument("--json", action="store_true", help="as JSON")
+
+
+def _add_report(command):
+    command.add_argument("-o", "--output", default="facet_film_verification.html", metavar="FILE",
+                         help="the report, one HTML page (facet_film_verification.html)")
+    command.add_argument("--json", metavar="FILE", help="the same as JSON")
 
 
 def _add_forms(command):
@@ -215,6 +232,13 @@ def _ways(options):
     from .bake import ways
     found = ways(_material(options.material), **_given(options, *VIEWING))
     return _json(found.to_dict()) if options.json else cli_text.ways(found)
+
+
+def _verify(options):
+    from .verify import verify
+    green, text = verify(options.output, device=options.device, only=options.only, record=options.json,
+                         say=lambda line: print(line, flush=True))
+    return text, 0 if green else 1
 
 
 def _json(value):

@@ -2,12 +2,13 @@
 
 import bpy
 
-from . import bake_operator, check_operator, data_operators, material_panel, realisation_operator, settings
+from . import (bake_operator, check_operator, data_operators, material_panel, preferences, realisation_operator,
+               settings, verify_operator)
 
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *data_operators.CLASSES,
-           *check_operator.CLASSES, *material_panel.CLASSES)
+           *check_operator.CLASSES, *material_panel.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
 COMMAND = "facet_film"
 _commands = []
 
