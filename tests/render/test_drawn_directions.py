@@ -1,0 +1,155 @@
+"""The directions that Cycles draws by the nodes of Exact, at Sampling Width 0, against their densities.
+
+The facet's normal H, which the nodes give to their Glossy BSDF, and the weight
+are shown as light on a tile that fills the view: every pixel of one sample is
+one draw, and a 32-bit picture keeps it as it was.
+"""
+
+import bpy
+import numpy as np
+import pytest
+
+from addon import api
+from addon.blender import materials
+from addon.reflectance import layered_rgb as layered
+from addon.reflectance import layered_rgb_sampler as layered_sampler
+from addon.reflectance.directions import half_vector, mirrored
+from addon.reflectance.masking import v_cavity_one_side
+from addon.reflectance.slopes import beckmann, gaussian
+from tests.chi_square import bin_centres, direction_p_value
+from tests.render import probes
+from tests.render.cook_torrance_scenes import COPPER, FIGURE_6B
+from tests.render.layered_scenes import material as layered_material
+
+RESOLUTION = 256
+LEAST_CHANCE = 1e-3
+OBLIQUE = 1.2
+UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
+
+
+def shown(material, angle, socket):
+    """What feeds a socket of the group's Glossy BSDF, halved and raised by ½, one draw a pixel, ``(draws, 3)``."""
+    scene = probes.empty_scene(RESOLUTION, samples=1, extent=2.0)
+    made = material()
+    tree = materials.our_node(made).node_tree
+    glossy = next(node for node in tree.nodes if node.bl_idname == "ShaderNodeBsdfAnisotropic")
+    source = next(found for found in glossy.inputs if found.identifier == socket).links[0].from_socket
+    encoded = tree.nodes.new("ShaderNodeVectorMath")
+    encoded.operation = "MULTIPLY_ADD"
+    encoded.inputs[1].default_value = encoded.inputs[2].default_value = (0.5,) * 3
+    tree.links.new(source, encoded.inputs[0])
+    light = tree.nodes.new("ShaderNodeEmission")
+    tree.links.new(encoded.outputs[0], light.inputs["Color"])
+    output = next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
+    tree.links.new(light.outputs[0], output.inputs[0])
+    bpy.ops.mesh.primitive_plane_add(size=2.4, rotation=(0.0, angle, 0.0))
+    tile = bpy.context.object
+    tile.scale = (1.0 / np.cos(angle), 1.0, 1.0)
+    tile.data.materials.append(made)
+    return probes.render(scene, seed=3).reshape(-1, 3) * 2.0 - 1.0
+
+
+def drawn(material, angle):
+    """L of each draw in the tile's frame, those that carry no light left out, and the count of all."""
+    normal, weight = shown(material, angle, "Normal"), shown(material, angle, "Color")
+    np.testing.assert_allclose(np.linalg.norm(normal, axis=-1), 1.0, atol=1e-4)
+    light = mirrored(probes.VIEW, normal)
+    turned = np.array([[np.cos(angle), 0.0, -np.sin(angle)], [0.0, 1.0, 0.0], [np.sin(angle), 0.0, np.cos(angle)]])
+    return (light @ turned.T)[weight.max(axis=-1) > 1e-6], len(light)
+
+
+def view(angle):
+    """V in the tile's frame."""
+    return np.array([-np.sin(angle), 0.0, np.cos(angle)])
+
+
+def drawn_gaussian(n_h, m):
+    """What is drawn for the Gaussian: even in the plane of angles, so α/(sin α cos α) of it; the weight has the rest."""
+    alpha = np.arccos(np.clip(n_h, 0.0, 1.0 - 1e-12))
+    return gaussian(n_h, m, 1.0 / m ** 2) * alpha / (np.sin(alpha) * n_h)
+
+
+def visible_facets(angle, slopes, distribution="beckmann", masking=v_cavity_one_side):
+    """p(L) = G1 D/(4π N·V) of facets drawn as the viewer sees them (Heitz and d'Eon 2014)."""
+    v = view(angle)
+    h = half_vector(v, bin_centres())
+    n_h, v_h = h[..., 2], h @ v
+    d = sum(w * (beckmann if distribution == "beckmann" else drawn_gaussian)(n_h, m) for m, w in slopes)
+    return d * masking(n_h, v[2], v_h) / (4.0 * np.pi * v[2])
+
+
+COOK_TORRANCE = [(0.0, FIGURE_6B, "beckmann"), (0.8, FIGURE_6B, "beckmann"), (1.2, ((0.4, 1.0),), "beckmann"),
+                 (0.8, ((0.3, 1.0),), "gaussian")]
+
+
+def exact_copper(slopes, distribution):
+    return lambda: api.create_material(realisation="exact", slopes=slopes, distribution=distribution,
+                                       sampling_width=0.0, **COPPER)
+
+
+@pytest.mark.parametrize("angle, slopes, distribution", COOK_TORRANCE)
+def test_facets_are_drawn_by_their_density(angle, slopes, distribution):
+    directions, count = drawn(exact_copper(slopes, distribution), angle)
+    chance = direction_p_value(directions, visible_facets(angle, slopes, distribution), count)
+    assert chance > LEAST_CHANCE
+
+
+@pytest.fixture(scope="module")
+def oblique_facets():
+    return drawn(exact_copper(FIGURE_6B, "beckmann"), OBLIQUE)
+
+
+BROKEN_FACETS = {
+    "slope": {"slopes": ((0.43, 0.4), (0.2, 0.6))},
+    "weights": {"slopes": ((0.4, 0.48), (0.2, 0.52))},
+    "distribution": {"slopes": FIGURE_6B, "distribution": "gaussian"},
+    "masking": {"slopes": FIGURE_6B, "masking": lambda n_h, n_v, v_h: 1.0 + 0.0 * v_h},
+}
+
+
+@pytest.mark.parametrize("what", [None, *BROKEN_FACETS])
+def test_another_density_of_facets_fails(what, oblique_facets):
+    directions, count = oblique_facets
+    density = visible_facets(OBLIQUE, **BROKEN_FACETS.get(what, {"slopes": FIGURE_6B}))
+    chance = direction_p_value(directions, density, count)
+    assert chance > LEAST_CHANCE if what is None else chance < 1e-6
+
+
+# --- The layered model ---
+
+DEVIATED = {"ior": (1.4, 1.45, 1.6), "thickness": 92.0, "exponent_r": 90.0, "exponent_t": 170.0, "diffuse": 0.0}
+
+
+def exact_layer(deviation):
+    return lambda: layered_material("exact", **DEVIATED, deviation=deviation, sampling_width=0.0)
+
+
+def layered_density(angle, deviation, **changed):
+    """p(L) of the mixture of lobes, where the layer reflects anything."""
+    p = {**DEVIATED, **changed}
+    r1, e0, e1, v = np.array(p["ior"]), p["exponent_r"], p["exponent_t"], view(angle)
+    # The azimuth counts from the world's X axis along the tile, which is the tile's own.
+    n1 = layered.tilted_normal(UP, EAST, NORTH, deviation, 0.0)
+    lobes = layered_sampler.proposal(v, UP, n1, r1, e0, e1)
+    cosines = layered.inner_products(bin_centres(), v, UP, n1, r1)
+    lit = layered.layered_specular(cosines, r1, p["thickness"], layered.WAVELENGTHS, e0, e1).max(axis=-1) > 0.0
+    return np.where(lit, layered_sampler._density(lobes, cosines, r1, e0, e1), 0.0)
+
+
+@pytest.mark.parametrize("angle, deviation", [(0.0, 0.0), (0.7, 0.0), (0.4, 0.17), (-0.5, 0.17)])
+def test_the_layers_lobes_are_drawn_by_their_density(angle, deviation):
+    directions, count = drawn(exact_layer(deviation), angle)
+    chance = direction_p_value(directions, layered_density(angle, deviation), count)
+    assert chance > LEAST_CHANCE
+
+
+@pytest.fixture(scope="module")
+def oblique_layer():
+    return drawn(exact_layer(0.17), 0.4)
+
+
+@pytest.mark.parametrize("changed", [{"exponent_t": 150.0}, {"exponent_r": 20.0}, {"ior": (1.4, 1.55, 1.6)},
+                                     {"deviation": 0.19}])
+def test_another_density_of_lobes_fails(changed, oblique_layer):
+    directions, count = oblique_layer
+    assert direction_p_value(directions, layered_density(0.4, **{"deviation": 0.17, **changed}), count) < 1e-6
