@@ -210,10 +210,7 @@ def _compare(found, expected, pictures, reference, mask, tolerance=0.0):
     """The z-test of the means over parts; with a tolerance, of what they differ by beyond it."""
     bright = (expected > WORTH_COMPARING * expected.max(axis=0)).all(axis=-1)
     found, expected = found[:, bright], expected[bright]
-    held = expected
-    if tolerance:
-        held = np.clip(found.mean(axis=0), (1.0 - tolerance) * expected, (1.0 + tolerance) * expected)
-    test = z_test(found, held, systematic=QUADRATURE)
+    test = z_test(found, expected, systematic=QUADRATURE, tolerance=tolerance)
     beyond = f" beyond {tolerance:.0%}" if tolerance else ""
     picture = pictures.mean(axis=0)
     picture[~mask] = 0.0

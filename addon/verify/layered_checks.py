@@ -104,19 +104,13 @@ def soft_sun(realisation, rendered, parameters):
 
 
 def zero_size_sun(realisation, rendered, parameters):
-    """The default width may blur the formula by 3 % in the mean of a ring, beyond three standard errors."""
+    """The default width may blur the formula by 3 % in the mean of a ring, beyond what chance explains."""
     pictures, towards = _sphere(realisation, rendered, 200, 6, math.radians(35.0), 0.0)
     reference, mask = probes.sphere_reference(probes.Reference.of(**parameters), SPHERE, towards, 0.0, subsamples=8)
-    ring, worst = probes.rings(SPHERE), 0.0
-    for number in range(ring.max() + 1):
-        within = mask & (ring == number)
-        expected = reference[within].mean(axis=0)
-        means = pictures[:, within].mean(axis=1)
-        error = means.std(axis=0, ddof=1) / math.sqrt(len(means))
-        bright = expected > 0.02 * reference[mask].mean()
-        off = np.maximum(np.abs(means.mean(axis=0) - expected) - 3.0 * error, 0.0)
-        worst = max(worst, float((off / expected)[bright].max(initial=0.0)))
-    return Outcome((Figure("largest difference beyond 3 standard errors", worst, ZERO_SIZE_BIAS, True),),
+    found, expected = probes.ring_means(pictures, mask), probes.ring_means(reference, mask)
+    bright = expected > 0.02 * reference[mask].mean()
+    test = z_test(found[:, bright], expected[bright], tolerance=ZERO_SIZE_BIAS)
+    return Outcome((Figure(f"largest |z| beyond {ZERO_SIZE_BIAS:.0%}", test.largest, test.limit),),
                    _sphere_picture(reference, pictures, mask))
 
 

@@ -11,7 +11,7 @@ from ..reflectance import layered_rgb as layered
 from . import scenes
 
 __all__ = ["material", "Reference", "furnace_tiles", "furnace_means", "sphere_reference", "hemisphere",
-           "rings", "tile_normal", "TILE_ANGLES", "TILE_PIXELS"]
+           "rings", "ring_means", "tile_normal", "TILE_ANGLES", "TILE_PIXELS"]
 
 EAST = np.array([1.0, 0.0, 0.0])
 TILE_ANGLES = np.radians([0.0, 15.0, 30.0, 45.0, 60.0, -20.0, -40.0, -60.0])
@@ -126,3 +126,9 @@ def rings(resolution, count=6):
     at = (np.arange(resolution) + 0.5) / resolution * 2.0 - 1.0
     y, x = np.meshgrid(at, at, indexing="ij")
     return np.minimum(((x * x + y * y) * count).astype(int), count - 1)
+
+
+def ring_means(picture, mask):
+    """Means over those rings of the masked pixels, (..., rings, 3)."""
+    which = rings(mask.shape[0])
+    return np.stack([picture[..., mask & (which == ring), :].mean(axis=-2) for ring in range(which.max() + 1)], axis=-2)

@@ -29,12 +29,13 @@ class ZTest:
         return bool(self.largest <= self.limit)
 
 
-def z_test(pictures, reference, mask=None, *, alpha=0.01, systematic=1e-5):
+def z_test(pictures, reference, mask=None, *, alpha=0.01, systematic=1e-5, tolerance=0.0):
     """Compare (seeds, …, channels) with (…, channels) value by value; a :class:`ZTest`.
 
     The limit is Student's t for seeds − 1 degrees of freedom with the Šidák
     correction for the number of values.  `systematic` is the relative error
-    allowed to the reference itself (its quadrature, the sphere's facets).
+    allowed to the reference itself (its quadrature, the sphere's facets), and
+    `tolerance` one by which the means may differ from it: z counts from there.
 
     >>> pictures = np.array([[0.99, 2.02], [1.01, 1.98], [1.00, 2.00]])
     >>> z_test(pictures, np.array([1.0, 2.0])).passed, z_test(pictures, np.array([1.0, 3.0])).passed
@@ -46,9 +47,10 @@ def z_test(pictures, reference, mask=None, *, alpha=0.01, systematic=1e-5):
         pictures, reference = pictures[:, mask], reference[mask]
     seeds = len(pictures)
     mean = pictures.mean(axis=0)
+    held = np.clip(mean, (1.0 - tolerance) * reference, (1.0 + tolerance) * reference) if tolerance else reference
     error = pictures.std(axis=0, ddof=1) / np.sqrt(seeds)
     error = np.hypot(error, systematic * np.abs(reference) + 1e-12)
-    z = (mean - reference) / error
+    z = (mean - held) / error
     single = 1.0 - (1.0 - alpha) ** (1.0 / z.size)
     return ZTest(z, float(np.abs(z).max()), student_t_limit(single, seeds - 1), relative_rms(mean, reference))
 
