@@ -36,7 +36,7 @@ BROKEN = {
     ("layered_rgb", "furnace, published"): {"scale": "energy"},
     ("layered_rgb", "diffuse part"): {"thickness": 92.5},
     ("layered_rgb", "sphere under a soft sun"): {"exponent_t": 120.0},
-    ("layered_rgb", "default width"): {"specular": 0.9},
+    ("layered_rgb", "default width"): {"specular": 0.75},
     ("data", "fits"): {"worse_by": 5.0},
     ("data", "colours of copper"): {"preset": "main/Cu/McPeak"},
     ("data", "colours of gold"): {"preset": "gold_johnson"},
