@@ -15,13 +15,17 @@ TESTS ?= tests/unit tests/render tests/package
 RUN = $(VENV)/bin/python
 # The oldest Blender supported builds the assets: a newer one opens its files, it opens no newer one's.
 OLDEST ?= .venv-4.5
+# What "make smoke" runs: the zip, every preset and realisation, the groups.
+SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups.py tests/render/test_materials.py
+SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test verify package assets
+.PHONY: help setup demo test verify smoke matrix bench package assets
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
 	@echo "make test      run the tests; make test BPY=5.2 (or 4.5, 5.0, 5.1) for another Blender"
+	@echo "make matrix    run the tests and the verification on Blender 4.5, 5.0, 5.1 and 5.2"
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
 	@echo "make assets    build the library of node groups and the catalogue of materials (on Blender 4.5)"
@@ -36,6 +40,12 @@ demo: setup
 
 test: setup
 	$(RUN) -m pytest $(TESTS)
+
+smoke: setup
+	$(RUN) -m pytest $(SMOKE)
+
+matrix:
+	@for blender in $(SUPPORTED); do $(MAKE) test verify BPY=$$blender || exit 1; done
 
 verify: setup
 	@mkdir -p out
