@@ -20,7 +20,7 @@ SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups
 SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test verify smoke matrix bench package assets
+.PHONY: help setup demo test verify smoke matrix package assets
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
