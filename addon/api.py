@@ -7,7 +7,8 @@
 from .errors import FacetFilmError, choice
 from .parameters import REALISATIONS, CookTorrance
 
-__all__ = ["bake", "create_fresnel_ramp", "create_material", "measurement_of", "switch_realisation", "MODELS", "REALISATIONS"]
+__all__ = ["bake", "create_fresnel_ramp", "create_material", "measurement_of", "rebake", "rebaked",
+           "switch_realisation", "MODELS", "REALISATIONS"]
 
 MODELS = ("cook_torrance", "layered_rgb")
 FAR_OFF = 1.0
@@ -38,7 +39,7 @@ def bake(preset, **options):
 
 
 def create_material(model="cook_torrance", *, preset=None, realisation="fast", name=None, material=None,
-                    **parameters):
+                    viewing=None, **parameters):
     """A Cycles material of one of the models.
 
     model        "cook_torrance", or "layered_rgb"
@@ -48,6 +49,7 @@ def create_material(model="cook_torrance", *, preset=None, realisation="fast", n
                  or "osl_fast" (closures, by OSL)
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
+    viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; Cook-Torrance only
     parameters   of the model, over the preset's own: see :class:`addon.parameters.CookTorrance`
                  and :class:`addon.layered_parameters.LayeredRGB`
 
@@ -66,7 +68,7 @@ def create_material(model="cook_torrance", *, preset=None, realisation="fast", n
     if model == "layered_rgb":
         checked, record = layered_from_preset(preset, parameters)
     else:
-        checked, record, by_f82 = cook_torrance_from_preset(preset, parameters, realisation)
+        checked, record, by_f82 = cook_torrance_from_preset(preset, parameters, realisation, viewing)
     _require_osl(realisation)
     title = record.get("title") or TITLES[model]
     if material is None:
@@ -107,6 +109,33 @@ def switch_realisation(material, realisation):
     materials.rebake(material, parameters, _record(baked, measurement_of(materials.record_of(material))))
 
 
+def rebaked(material, viewing=None):
+    """(parameters, record, by_f82) of one of our materials whose measurement is baked again; nothing is changed.
+
+    viewing  options of :func:`bake`; by default those it was baked with
+
+    n, k and the diffuse colour are new; all else stays as the user set it.
+    Raises FacetFilmError for a material without a measurement.
+    """
+    from .blender import materials
+    record = materials.record_of(material)
+    if materials.model_of(material) != "cook_torrance" or "conductor" not in record:
+        raise FacetFilmError(f"{material.name} holds no measurement: bake a Cook-Torrance preset first.")
+    options = _viewing_of(record) if viewing is None else viewing
+    baked, by_f82 = _baked_for(measurement_of(record), materials.realisation_of(material), options)
+    new = baked.cook_torrance_parameters()
+    parameters = materials.parameters_of(material).changed(n=new["n"], k=new["k"], diffuse=new["diffuse"])
+    return parameters, _record(baked, measurement_of(record)), by_f82
+
+
+def rebake(material, viewing=None):
+    """Bake the measurement of one of our materials again, as :func:`rebaked` describes, and write it in."""
+    from .blender import materials
+    parameters, record, by_f82 = rebaked(material, viewing)
+    materials.switch(material, materials.realisation_of(material), by_f82=by_f82)
+    materials.rebake(material, parameters, record)
+
+
 def create_fresnel_ramp(preset, **options):
     """The node group that holds a preset's Fresnel curve over N.V, for use in any shader.
 
@@ -117,12 +146,12 @@ def create_fresnel_ramp(preset, **options):
     return fresnel_ramp_group(bake(preset, **options))
 
 
-def cook_torrance_from_preset(preset, parameters, realisation):
+def cook_torrance_from_preset(preset, parameters, realisation, viewing=None):
     """Checked parameters of a preset with some overridden, the record of what was baked, and whether
     F82 is the closure that comes closer."""
     if preset is None:
         return CookTorrance().changed(**parameters), {}, False
-    baked, by_f82 = _baked_for(preset, realisation, {})
+    baked, by_f82 = _baked_for(preset, realisation, viewing or {})
     defaults = CookTorrance().changed(**baked.cook_torrance_parameters())
     return defaults.changed(**parameters), _record(baked, preset), by_f82
 
@@ -178,9 +207,13 @@ def _baked_again(material, realisation):
     record = materials.record_of(material)
     if not record or not _as_baked(materials.parameters_of(material), record):
         return None
+    return _baked_for(measurement_of(record), realisation, _viewing_of(record))
+
+
+def _viewing_of(record):
+    """The options that a record was baked with."""
     options = {option: record[option] for option in ("illuminant", "observer", "space")}
-    return _baked_for(measurement_of(record), realisation,
-                      {**options, "gamut": record["gamut"]["method"], "adapt": record["adapted"]})
+    return {**options, "gamut": record["gamut"]["method"], "adapt": record["adapted"]}
 
 
 def _as_baked(parameters, record):

@@ -179,12 +179,17 @@ def spread(what, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
 def _dataset_of(what):
     """The dataset of a preset, of an id, or of the best that a search finds."""
     try:
-        dataset = material(what)[1].dataset
+        preset, constants = material(what)
+        dataset = constants.dataset
     except FacetFilmError:
-        found = search(what, 1) if isinstance(what, str) and what.count("/") < 2 else ()
+        worded = isinstance(what, str) and what.count("/") < 2
+        found = [entry for entry in search(what, 20) if entry.dataset] if worded else ()
         if not found:
             raise
-        dataset = found[0].dataset
+        return found[0].dataset
+    if not preset.dataset:
+        raise FacetFilmError(f"{preset.title} has no dataset of the database, so there is nothing to compare: its "
+                             "values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.")
     if dataset not in optical_constants.dataset_ids():
         raise FacetFilmError(
             f"{dataset or what!r} is no dataset of the database; name one, or a material of it.")

@@ -1,11 +1,12 @@
 """Operators that bring a user's own measurements in, and baked materials out."""
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
-from .bake_operator import said_of, target_material, why_not
+from .bake_operator import PanelSettings, put_on_selected, said_of, target_material, why_not
 from .materials import model_of, record_of
-from .settings import REALISATION_ITEMS
+from .settings import Viewing, realisation_property, viewing_of
 
 __all__ = ["CLASSES"]
 
@@ -19,7 +20,7 @@ FORMS = (
 NOT_IN_NAMES = str.maketrans("/:", "__")
 
 
-class _FromConstants:
+class _FromConstants(PanelSettings, Viewing):
     """What importing and pasting share: bake OpticalConstants into the active material slot."""
 
     bl_options = {"REGISTER", "UNDO"}
@@ -27,7 +28,7 @@ class _FromConstants:
     @classmethod
     def poll(cls, context):
         """Needs an active object of this file that takes materials."""
-        reason = why_not(context.active_object)
+        reason = why_not(context)
         if reason:
             cls.poll_message_set(reason)
         return not reason
@@ -39,17 +40,14 @@ class _FromConstants:
             constants = read()
             with target_material(context.active_object) as target:
                 target.material = create_material(
-                    preset=constants, realisation=self.realisation, material=target.material)
+                    preset=constants, realisation=self.realisation, material=target.material,
+                    viewing=viewing_of(self))
+            put_on_selected(context)
         except FacetFilmError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         self.report({"INFO"}, said_of(context.active_object.active_material))
         return {"FINISHED"}
-
-
-def _realisation_property():
-    return bpy.props.EnumProperty(
-        name="Realisation", items=REALISATION_ITEMS, description="How the formula becomes a Cycles material")
 
 
 class FACET_FILM_OT_import_constants(_FromConstants, bpy.types.Operator):
@@ -61,7 +59,7 @@ CSV and YAML; SOPRA and LuxPop .nk"""
 
     filepath: bpy.props.StringProperty(subtype="FILE_PATH", description="File of optical constants")
     filter_glob: bpy.props.StringProperty(default="*.csv;*.txt;*.dat;*.tsv;*.yml;*.yaml;*.nk", options={"HIDDEN"})
-    realisation: _realisation_property()
+    realisation: realisation_property()
 
     def invoke(self, context, _event):
         """Ask for the file."""
@@ -80,7 +78,7 @@ class FACET_FILM_OT_paste_constants(_FromConstants, bpy.types.Operator):
     bl_idname = "facet_film.paste_constants"
     bl_label = "Paste Measurement"
 
-    realisation: _realisation_property()
+    realisation: realisation_property()
 
     def execute(self, context):
         """Read the clipboard, bake it, put the material in the slot."""
@@ -128,7 +126,7 @@ class FACET_FILM_OT_export(bpy.types.Operator):
         except FacetFilmError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"Wrote {written}")
+        self.report({"INFO"}, rpt_("Wrote {:s}").format(str(written)))
         return {"FINISHED"}
 
 

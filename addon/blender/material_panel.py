@@ -1,62 +1,76 @@
-"""The Facet & Film panel in the Material properties."""
-
-import textwrap
+"""The Facet & Film panel in the Material properties, and its row under the material slots."""
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 
-from .materials import our_node, realisation_of, record_of
-from .realisation_operator import what_is_missing
-from .settings import REALISATION_ITEMS
+from .bake_operator import why_locked
+from .drawing import draw_parameters, draw_sentence
+from .materials import model_of, our_node, realisation_of
+from .picker import draw_card
+from .realisation_operator import shown_name, what_is_missing
+from .settings import chosen_preset, copy_viewing
 
-__all__ = ["CLASSES"]
+__all__ = ["CLASSES", "LAST_CLASSES", "MaterialPanel", "attach", "detach", "draw_state"]
+
+SLOT_PANELS = ("EEVEE_MATERIAL_PT_context_material", "CYCLES_PT_context_material")
+"""Where Blender lists the material slots, by engine; EEVEE's serves Workbench too."""
 
 
-class _MaterialPanel:
+class MaterialPanel:
+    """Where the panels are, and what they share."""
+
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "material"
 
 
-class FACET_FILM_PT_material(_MaterialPanel, bpy.types.Panel):
-    """Bake a measured material"""
+class FACET_FILM_PT_material(MaterialPanel, bpy.types.Panel):
+    """Measured metals and layered films"""
 
     bl_label = "Facet & Film"
 
     @classmethod
     def poll(cls, context):
-        """Shown for objects that take materials."""
-        return context.object is not None and hasattr(context.object.data, "materials")
+        """Shown for objects that take materials, and for a pinned material."""
+        return context.material is not None or _takes_materials(context.object)
 
     def draw(self, context):
-        """What, by which model and how, do it; and how the material that is there renders."""
+        """Choose a material, apply it; and how the one that is there renders."""
         settings = context.window_manager.facet_film
         layout = self.layout
-        layout.use_property_split = True
-        layout.use_property_decorate = False
-        layout.prop(settings, "model")
-        layout.prop(settings, "preset", icon="MATERIAL")
-        layout.prop(settings, "realisation")
-        operator = layout.operator("facet_film.bake_preset", icon="SHADING_RENDERED")
-        operator.preset = settings.preset
-        operator.model = settings.model
-        operator.realisation = settings.realisation
-        realisation = realisation_of(context.material)
-        if realisation is not None:
-            missing = what_is_missing(context.scene, realisation)
-            if missing:
-                _lines(layout, missing, "ERROR")
-            shown = dict((item[0], item[1]) for item in REALISATION_ITEMS)[realisation]
-            layout.operator_menu_enum("facet_film.switch_realisation", "realisation", text=f"Renders by {shown}")
+        draw_card(layout, settings, lambda column: draw_apply(column, settings))
+        draw_state(layout, context, context.material)
 
 
-def _lines(layout, text, icon, width=52):
-    """A long sentence as labels of one line each."""
-    box = layout.box().column(align=True)
-    for number, line in enumerate(textwrap.wrap(text, width)):
-        box.label(text=line, icon=icon if number == 0 else "BLANK1")
+def draw_apply(layout, settings, text="Apply"):
+    """The button that does what the panel says."""
+    operator = layout.operator("facet_film.bake_preset", text=text, icon="SHADING_RENDERED")
+    operator.preset = chosen_preset(settings)
+    operator.model = settings.model
+    operator.realisation = settings.realisation
+    copy_viewing(settings, operator)
 
 
-class FACET_FILM_PT_parameters(_MaterialPanel, bpy.types.Panel):
+def draw_state(layout, context, material):
+    """How a material of ours renders and what it lacks for that, or why it cannot be changed."""
+    if material is not None and why_locked(material):
+        draw_sentence(layout, why_locked(material), "LIBRARY_DATA_DIRECT", context.region)
+    realisation = realisation_of(material)
+    if realisation is None:
+        return
+    missing = what_is_missing(context.scene, realisation)
+    if missing:
+        draw_sentence(layout, missing, "ERROR", context.region)
+        if realisation.startswith("osl") and context.scene.render.engine == "CYCLES":
+            layout.prop(context.scene.cycles, "shading_system")
+    row = layout.row(align=True)
+    row.operator_menu_enum("facet_film.switch_realisation", "realisation",
+                           text=iface_("Renders by {:s}").format(shown_name(realisation)))
+    if model_of(material) == "cook_torrance":
+        copy_viewing(context.window_manager.facet_film, row.operator("facet_film.rebake", icon="FILE_REFRESH"))
+
+
+class FACET_FILM_PT_parameters(MaterialPanel, bpy.types.Panel):
     """The parameters of the material's model"""
 
     bl_label = "Parameters"
@@ -70,45 +84,30 @@ class FACET_FILM_PT_parameters(_MaterialPanel, bpy.types.Panel):
 
     def draw(self, context):
         """The group node's sockets."""
-        layout = self.layout
-        layout.use_property_split = True
-        layout.use_property_decorate = False
-        node = our_node(context.material)
-        for socket in node.inputs:
-            if not socket.hide_value:
-                layout.template_node_view(node.id_data, node, socket)
+        self.layout.enabled = not why_locked(context.material)
+        draw_parameters(self.layout, our_node(context.material))
 
 
-class FACET_FILM_PT_baked(_MaterialPanel, bpy.types.Panel):
-    """What was baked into this material, and how far it is from the measurement"""
+class FACET_FILM_PT_light(MaterialPanel, bpy.types.Panel):
+    """In which light the next material is baked, for which observer and into which numbers"""
 
-    bl_label = "Measurement"
+    bl_label = "Light and Gamut"
     bl_parent_id = "FACET_FILM_PT_material"
     bl_options = {"DEFAULT_CLOSED"}
 
-    @classmethod
-    def poll(cls, context):
-        """Shown for materials of ours that were baked."""
-        return our_node(context.material) is not None and bool(record_of(context.material))
-
     def draw(self, context):
-        """The record of the bake, a line each."""
-        record = record_of(context.material)
-        column = self.layout.column(align=True)
-        column.label(text=record["title"])
-        if "conductor" not in record:
-            _lines(self.layout, record["note"], "INFO")
-            return
-        column.label(text=f"{record['source']['dataset']}: {record['source']['citation']}")
-        column.label(text="F0  " + "  ".join(f"{value:.4f}" for value in record["f0"]))
-        column.label(text="F82 tint  " + "  ".join(f"{value:.4f}" for value in record["f82_tint"]))
-        column.label(text=f"Largest CIEDE2000 of the fit: {record['conductor']['delta_e_2000_max']:.2f}")
-        gamut = record["gamut"]
-        if gamut["outside"]:
-            column.label(text=f"Outside the gamut: {gamut['method']}, largest change {gamut['largest_change']:.4f}")
+        """Illuminant, observer, working space and gamut."""
+        settings = context.window_manager.facet_film
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        layout.enabled = settings.model == "cook_torrance"
+        for name in ("illuminant", "adapt", "observer", "space", "gamut"):
+            layout.prop(settings, name)
+        layout.operator("facet_film.rebake_all", icon="FILE_REFRESH")
 
 
-class FACET_FILM_PT_data(_MaterialPanel, bpy.types.Panel):
+class FACET_FILM_PT_data(MaterialPanel, bpy.types.Panel):
     """Measurements in and out, and compared"""
 
     bl_label = "Data"
@@ -119,12 +118,45 @@ class FACET_FILM_PT_data(_MaterialPanel, bpy.types.Panel):
         """Import, paste, export, check, compare."""
         settings = context.window_manager.facet_film
         column = self.layout.column(align=True)
-        column.operator("facet_film.import_constants", icon="FILEBROWSER").realisation = settings.realisation
-        column.operator("facet_film.paste_constants", icon="PASTEDOWN").realisation = settings.realisation
+        for name, icon in (("import", "FILEBROWSER"), ("paste", "PASTEDOWN")):
+            operator = column.operator(f"facet_film.{name}_constants", icon=icon)
+            operator.realisation = settings.realisation
+            copy_viewing(settings, operator)
         column.operator_menu_enum("facet_film.export", "form", icon="EXPORT")
         column = self.layout.column(align=True)
         column.operator("facet_film.check", icon="CHECKMARK").against = settings.preset
         column.operator("facet_film.spread", icon="SORTSIZE").material = settings.preset
 
 
-CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_parameters, FACET_FILM_PT_baked, FACET_FILM_PT_data)
+def _takes_materials(target):
+    return target is not None and hasattr(target.data, "materials")
+
+
+def draw_below_slots(self, context):
+    """One row under the material slots, for those who look there: a preset, and Apply."""
+    if not _takes_materials(context.object):
+        return
+    settings = context.window_manager.facet_film
+    row = self.layout.row(align=True)
+    row.prop(settings, "layered_preset" if settings.model == "layered_rgb" else "preset", text="", icon="VIEWZOOM")
+    draw_apply(row, settings, "Apply")
+
+
+CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_parameters)
+LAST_CLASSES = (FACET_FILM_PT_light, FACET_FILM_PT_data)
+
+
+def attach():
+    """Add the row to Blender's own panels."""
+    for name in SLOT_PANELS:
+        panel = getattr(bpy.types, name, None)
+        if panel is not None:
+            panel.append(draw_below_slots)
+
+
+def detach():
+    """Take it out again."""
+    for name in SLOT_PANELS:
+        panel = getattr(bpy.types, name, None)
+        if panel is not None:
+            panel.remove(draw_below_slots)

@@ -6,7 +6,8 @@ from . import cook_torrance_material, layered_material
 from .compat import enable_nodes
 from .groups import EEVEE_OUTPUT, group_id, input_names, node_group, socket_named
 
-__all__ = ["MODELS", "apply", "switch", "rebake", "our_node", "model_of", "realisation_of", "parameters_of", "record_of"]
+__all__ = ["MODELS", "apply", "switch", "rebake", "our_node", "model_of", "realisation_of", "parameters_of", "record_of",
+           "found_in"]
 
 MODELS = {"cook_torrance": cook_torrance_material, "layered_rgb": layered_material}
 """Model -> module with GROUP_OF, F82_GROUP_OF, write, read and show_in_viewport."""
@@ -92,12 +93,12 @@ def our_node(material):
     if material is None or material.node_tree is None:
         return None
     for node in material.node_tree.nodes:
-        if node.bl_idname == "ShaderNodeGroup" and _found(node.node_tree) is not None:
+        if node.bl_idname == "ShaderNodeGroup" and found_in(node.node_tree) is not None:
             return node
     return None
 
 
-def _found(tree):
+def found_in(tree):
     """(model, realisation) of a node group, or None for one that is not a material of ours."""
     identifier = group_id(tree)
     for model, module in MODELS.items():
@@ -111,13 +112,13 @@ def _found(tree):
 def model_of(material):
     """"cook_torrance" or "layered_rgb", or None for a material that is not ours."""
     node = our_node(material)
-    return _found(node.node_tree)[0] if node else None
+    return found_in(node.node_tree)[0] if node else None
 
 
 def realisation_of(material):
     """"fast", "exact", "osl" or "osl_fast", or None for a material that is not ours."""
     node = our_node(material)
-    return _found(node.node_tree)[1] if node else None
+    return found_in(node.node_tree)[1] if node else None
 
 
 def parameters_of(material):

@@ -1,13 +1,15 @@
 """The operator that renders a material by another realisation."""
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
-from .bake_operator import is_editable
+from .bake_operator import active_material, why_locked
 from .materials import model_of
-from .settings import REALISATION_ITEMS
+from .settings import REALISATION_ITEMS, realisation_property
 
-__all__ = ["CLASSES"]
+__all__ = ["CLASSES", "shown_name", "what_is_missing"]
 
 
 class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
@@ -17,44 +19,55 @@ class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
     bl_label = "Switch Realisation"
     bl_options = {"REGISTER", "UNDO"}
 
-    realisation: bpy.props.EnumProperty(
-        name="Realisation", items=REALISATION_ITEMS, description="How the formula becomes a Cycles material")
+    realisation: realisation_property()
 
     @classmethod
     def poll(cls, context):
         """Needs a material of ours in this file."""
-        material = getattr(context, "material", None) or getattr(context.active_object, "active_material", None)
+        material = active_material(context)
         if material is None or model_of(material) is None:
-            cls.poll_message_set("Bake a preset first: this material is not one of Facet & Film")
+            cls.poll_message_set(rpt_("Bake a preset first: this material is not one of Facet & Film"))
             return False
-        if not is_editable(material):
-            cls.poll_message_set(f"{material.name} is linked from another file: make it local first")
+        if why_locked(material):
+            cls.poll_message_set(why_locked(material))
             return False
         return True
 
     def execute(self, context):
         """Switch, and say what the realisation needs."""
         from ..api import switch_realisation
-        material = getattr(context, "material", None) or context.active_object.active_material
+        material = active_material(context)
         try:
             switch_realisation(material, self.realisation)
         except FacetFilmError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         missing = what_is_missing(context.scene, self.realisation)
-        self.report({"WARNING" if missing else "INFO"}, missing or f"{material.name} renders by {self.realisation}")
+        self.report({"WARNING" if missing else "INFO"},
+                    missing or rpt_("{:s} renders by {:s}").format(material.name, shown_name(self.realisation)))
         return {"FINISHED"}
 
 
+def shown_name(realisation):
+    """What a realisation is called in the interface's language."""
+    return iface_(next(item[1] for item in REALISATION_ITEMS if item[0] == realisation))
+
+
 def what_is_missing(scene, realisation):
-    """What the scene's settings lack to render this realisation in Cycles, or an empty text."""
-    if realisation not in ("osl", "osl_fast") or scene.render.engine != "CYCLES":
+    """What the scene's settings lack to render this realisation, or an empty text."""
+    engine = scene.render.engine
+    if engine == "BLENDER_WORKBENCH":
+        return rpt_("Workbench shows the viewport colour only: choose Cycles in the Render properties")
+    if engine != "CYCLES":
+        return "" if realisation == "fast" else rpt_("This engine renders Fast in its place: "
+                                                     "for this realisation choose Cycles in the Render properties")
+    if realisation not in ("osl", "osl_fast"):
         return ""
     if not scene.cycles.shading_system:
-        return "This realisation is an OSL script and would render black: switch on Open Shading Language " \
-               "in the Render properties, or take Exact"
+        return rpt_("This realisation is an OSL script and would render black: switch on Open Shading Language "
+                    "in the Render properties, or take Exact")
     if scene.cycles.device == "GPU" and _gpu_without_osl():
-        return "OSL needs the CPU or OptiX: change the device, or take Exact"
+        return rpt_("OSL needs the CPU or OptiX: change the device, or take Exact")
     return ""
 
 

@@ -2,29 +2,37 @@
 
 import bpy
 
-from . import (bake_operator, check_operator, data_operators, material_panel, preferences, realisation_operator,
-               settings, verify_operator)
+from . import (bake_operator, check_operator, data_operators, material_panel, measurement_panel, node_menu,
+               node_sidebar, picker, preferences, realisation_operator, rebake_all_operator, settings, thumbnails,
+               verify_operator)
 
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *data_operators.CLASSES,
-           *check_operator.CLASSES, *material_panel.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
+           *check_operator.CLASSES, *rebake_all_operator.CLASSES, *material_panel.CLASSES, *measurement_panel.CLASSES,
+           *material_panel.LAST_CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES, *verify_operator.CLASSES,
+           *preferences.CLASSES)
+ATTACHED = (settings, material_panel, node_menu)
 COMMAND = "facet_film"
 _commands = []
 
 
 def register():
-    """Register every class, the settings that the panel shows, and ``blender --command facet_film``."""
+    """Register every class, the settings that the panels show, menu entries, and ``blender --command facet_film``."""
     for cls in CLASSES:
         bpy.utils.register_class(cls)
-    settings.attach()
+    for module in ATTACHED:
+        module.attach()
     _commands.append(bpy.utils.register_cli_command(COMMAND, _command))
 
 
 def unregister():
     """The mirror image of register()."""
     bpy.utils.unregister_cli_command(_commands.pop())
-    settings.detach()
+    for module in reversed(ATTACHED):
+        module.detach()
+    picker.forget()
+    thumbnails.clear()
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
 
