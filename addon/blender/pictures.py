@@ -25,7 +25,7 @@ def measured_ball(what):
 
     what  a preset's name or a dataset's id
 
-    Returns sRGB with alpha, ``(SIZE, SIZE, 4)``, bottom row first.  Raises FacetFilmError for an unknown name.
+    Returns sRGB times alpha, and alpha, ``(SIZE, SIZE, 4)``, bottom row first.  Raises FacetFilmError for an unknown name.
     """
     found = reflect(what)
     s, m = found.preset.specular, max(m for m, _ in found.preset.slopes)
@@ -93,7 +93,7 @@ def _ball(f0, specular, rough, diffuse):
     seen, arriving = _light(round(float(rough), 2))
     fresnel = f0 + (1.0 - f0) * ((1.0 - z) ** 5)[..., None]
     colour = specular * fresnel * seen[..., None] + diffuse * arriving[..., None]
-    return np.concatenate([_shown(colour), cover[..., None]], axis=-1).astype(np.float32)
+    return np.concatenate([_shown(colour) * cover[..., None], cover[..., None]], axis=-1).astype(np.float32)
 
 
 def _shown(rgb, space="Rec.709"):

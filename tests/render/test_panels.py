@@ -1,0 +1,146 @@
+"""The panels and their operators: pickers, several objects, linked data, light and gamut, groups, the status of a scene."""
+
+import bpy
+import pytest
+
+import addon
+from addon import api
+from addon.blender import compat, materials, node_menu, node_sidebar, picker
+from addon.blender.bake_operator import why_locked
+from addon.blender.realisation_operator import what_is_missing
+from addon.errors import FacetFilmError
+
+
+@pytest.fixture
+def objects():
+    """Two selected meshes and a selected empty, the first active, the extension registered."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    addon.register()
+    made = [bpy.data.objects.new(name, bpy.data.meshes.new(name) if name != "Empty" else None)
+            for name in ("First", "Second", "Empty")]
+    for target in made:
+        bpy.context.scene.collection.objects.link(target)
+        target.select_set(True)
+    bpy.context.view_layer.objects.active = made[0]
+    yield made
+    addon.unregister()
+
+
+def settings():
+    return bpy.context.window_manager.facet_film
+
+
+def test_a_picture_chooses_its_preset(objects):
+    settings().thumbnail = "gold"
+    assert settings().preset == "gold"
+    settings().preset = "main/Cu/Babar"
+    assert settings().thumbnail == "main/Cu/Babar"
+    settings().kind = "glass"
+    settings().thumbnail = picker.thumbnail_items("cook_torrance", "glass", settings().preset)[1][0]
+    assert settings().preset != "main/Cu/Babar"
+    settings().layered_thumbnail = "soap film"
+    assert settings().layered_preset == "soap film"
+
+
+def test_every_kind_of_preset_can_be_picked():
+    from addon.spectra.presets import all_presets
+    assert {preset.kind for preset in all_presets().values()} == {item[0] for item in picker.KIND_ITEMS}
+
+
+def test_search_finds_presets_and_datasets(objects):
+    assert picker.search("cook_torrance", "gold babar")[:2] == [("gold", "Gold"), ("main/Au/Babar", picker.search(
+        "cook_torrance", "gold babar")[1][1])]
+    assert picker.search("layered_rgb", "soap") == [("soap film", "Soap film")]
+
+
+def test_baking_puts_one_material_on_all_selected_objects(objects):
+    assert bpy.ops.facet_film.bake_preset(preset="copper") == {"FINISHED"}
+    first, second, _ = objects
+    assert first.active_material is not None and first.active_material == second.active_material
+    assert len(bpy.data.materials) == 1
+
+
+def test_light_and_gamut_reach_the_bake(objects):
+    bpy.ops.facet_film.bake_preset(preset="copper", illuminant="A", observer="1964", space="Rec.2020", gamut="clip")
+    material = objects[0].active_material
+    record = materials.record_of(material)
+    assert (record["illuminant"], record["observer"], record["space"]) == ("A", "1964", "Rec.2020")
+    assert record["gamut"]["method"] == "clip"
+    assert record["f0"] == pytest.approx(api.bake("copper", illuminant="A", observer="1964", space="Rec.2020").f0)
+    n = materials.parameters_of(material).n
+    assert bpy.ops.facet_film.rebake() == {"FINISHED"}
+    assert materials.record_of(material)["illuminant"] == "D65"
+    assert materials.parameters_of(material).n != n
+
+
+def test_re_baking_keeps_what_the_user_set(objects):
+    bpy.ops.facet_film.bake_preset(preset="gold", illuminant="A", realisation="exact")
+    material = objects[0].active_material
+    materials.rebake(material, materials.parameters_of(material).changed(slopes=((0.33, 1.0),), specular=0.5),
+                     materials.record_of(material))
+    other = api.create_material(preset="silver", viewing={"illuminant": "A"})
+    assert bpy.ops.facet_film.rebake_all() == {"FINISHED"}
+    found = materials.parameters_of(material)
+    assert found.slopes[0][0] == pytest.approx(0.33) and found.specular == pytest.approx(0.5)
+    assert materials.realisation_of(material) == "exact"
+    assert {materials.record_of(one)["illuminant"] for one in (material, other)} == {"D65"}
+
+
+def test_linked_and_overridden_data_say_why_they_cannot_be_changed(objects, tmp_path):
+    bpy.ops.facet_film.bake_preset(preset="copper")
+    file = str(tmp_path / "source.blend")
+    bpy.data.libraries.write(file, {objects[0]})
+    with bpy.data.libraries.load(file, link=True) as (_, target):
+        target.objects = ["First"]
+    linked = target.objects[0]
+    bpy.context.scene.collection.objects.link(linked)
+    bpy.context.view_layer.objects.active = linked
+    for operator in (bpy.ops.facet_film.bake_preset, bpy.ops.facet_film.switch_realisation, bpy.ops.facet_film.rebake):
+        assert not operator.poll()
+    assert "linked" in why_locked(linked) and "linked" in why_locked(linked.active_material)
+    assert "override" in why_locked(linked.override_create())
+
+
+def test_the_panel_says_what_the_scene_lacks(objects):
+    scene = bpy.context.scene
+    scene.render.engine = "BLENDER_WORKBENCH"
+    assert "Cycles" in what_is_missing(scene, "fast")
+    scene.render.engine = "CYCLES"
+    scene.cycles.shading_system = False
+    assert "Open Shading Language" in what_is_missing(scene, "osl")
+    assert what_is_missing(scene, "exact") == ""
+    scene.cycles.shading_system = True
+    assert what_is_missing(scene, "osl") == ""
+    scene.cycles.device = "GPU"
+    assert "OptiX" in what_is_missing(scene, "osl")
+
+
+def test_every_group_of_the_add_menu_is_there_and_is_reused(objects):
+    for identifier, _, _ in node_menu.GROUP_ITEMS:
+        if identifier == "fresnel_ramp":
+            assert api.create_fresnel_ramp("gold") == api.create_fresnel_ramp("gold")
+        else:
+            assert node_menu.node_group(identifier) == node_menu.node_group(identifier)
+    assert not [tree.name for tree in bpy.data.node_groups if tree.name[-4:-3] == "."]
+
+
+def test_a_preset_goes_into_a_single_node(objects):
+    material = bpy.data.materials.new("Mixed")
+    compat.enable_nodes(material)
+    node = material.node_tree.nodes.new("ShaderNodeGroup")
+    node.node_tree = node_menu.node_group("cook_torrance_exact")
+    assert node_sidebar.model_of_node(node) == "cook_torrance"
+    node_sidebar.write_preset(node, "gold", {})
+    assert tuple(node.inputs["Refractive Index n"].default_value) == pytest.approx(
+        api.bake("gold", formula="exact").conductor.n)
+    node.node_tree = api.create_fresnel_ramp("gold")
+    node_sidebar.write_preset(node, "copper", {})
+    assert node.node_tree == api.create_fresnel_ramp("copper")
+
+
+def test_a_spread_of_a_preset_without_dataset_says_so():
+    from addon.bake import spread
+    from addon.spectra.presets import all_presets
+    without = next(preset.name for preset in all_presets().values() if not preset.dataset)
+    with pytest.raises(FacetFilmError, match="has no dataset"):
+        spread(without)
