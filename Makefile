@@ -20,13 +20,14 @@ SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups
 SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test verify smoke matrix package assets
+.PHONY: help setup demo test verify smoke matrix bench package assets
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
 	@echo "make test      run the tests; make test BPY=5.2 (or 4.5, 5.0, 5.1) for another Blender"
 	@echo "make matrix    run the tests and the verification on Blender 4.5, 5.0, 5.1 and 5.2"
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
+	@echo "make bench     measure time, noise and sizes, write out/bench.json and docs/benchmarks.md"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
 	@echo "make assets    build the library of node groups and the catalogue of materials (on Blender 4.5)"
 	@echo "make setup     only make the environment that the others use ($(VENV))"
@@ -50,6 +51,9 @@ matrix:
 verify: setup
 	@mkdir -p out
 	$(RUN) -m addon verify -o out/verification$(series:%=-%).html --json out/verification$(series:%=-%).json
+
+bench: setup
+	$(RUN) -m tests.bench.bench
 
 package: setup
 	$(RUN) tools/package.py --out dist

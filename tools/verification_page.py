@@ -17,7 +17,7 @@ the pixels against the formulas by quadrature. The report is one HTML page with 
 check, and its first line says whether all passed. Below are the figures of the last reports.
 
 A figure passes when it is at most its limit. |z| is a difference in standard errors of independent seeds; its limit is
-what chance exceeds once in a hundred reports (Student's t, Šidák's correction). The tests show each check failing when
+what chance exceeds once in a thousand runs of the check (Student's t, Šidák's correction). The tests show each check failing when
 the material it renders differs from its formula.
 """
 
@@ -46,7 +46,8 @@ def rows(records, model):
         for figure in check.get("figures", ()):
             found = [figure_of(record, check, figure["name"]) for record in records]
             limits = {f"{f['limit']:.3g}" for f in found if f}
-            lines.append(f"| {check['realisation']} | {check['name']} | {figure['name']} | "
+            name = figure["name"].replace("|", "\\|")
+            lines.append(f"| {check['realisation']} | {check['name']} | {name} | "
                          f"{', '.join(sorted(limits))} | {' | '.join(map(number, found))} |")
     return "\n".join(lines)
 

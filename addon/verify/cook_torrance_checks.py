@@ -12,7 +12,7 @@ from ..reflectance.albedo import cook_torrance_albedo
 from . import cook_torrance_scenes as probes
 from . import scenes
 from .checks import Check, Figure, Outcome, Picture
-from .statistics import relative_rms, z_test
+from .statistics import CHANCE, relative_rms, z_test
 
 __all__ = ["checks"]
 
@@ -114,7 +114,7 @@ def furnace(realisation, rendered, parameters):
     """At Sampling Width 0 every mean is the albedo, within its standard error and within 0.5 %."""
     means = _tiles(realisation, rendered, samples=512, seeds=6)
     expected = _albedos(parameters, 256)
-    test = z_test(means, expected, systematic=3e-4)
+    test = z_test(means, expected, systematic=3e-4, alpha=CHANCE)
     figures = [Figure("largest |z|", test.largest, test.limit),
                Figure("largest difference from the formula", _largest(means, expected), FURNACE_BIAS, True)]
     if parameters.get("scale", "energy") == "energy":
@@ -210,7 +210,7 @@ def _compare(found, expected, pictures, reference, mask, tolerance=0.0):
     """The z-test of the means over parts; with a tolerance, of what they differ by beyond it."""
     bright = (expected > WORTH_COMPARING * expected.max(axis=0)).all(axis=-1)
     found, expected = found[:, bright], expected[bright]
-    test = z_test(found, expected, systematic=QUADRATURE, tolerance=tolerance)
+    test = z_test(found, expected, systematic=QUADRATURE, tolerance=tolerance, alpha=CHANCE)
     beyond = f" beyond {tolerance:.0%}" if tolerance else ""
     picture = pictures.mean(axis=0)
     picture[~mask] = 0.0

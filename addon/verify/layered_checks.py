@@ -9,7 +9,7 @@ from ..reflectance import layered_rgb as layered
 from . import layered_scenes as probes
 from . import scenes
 from .checks import Check, Figure, Outcome, Picture
-from .statistics import z_test
+from .statistics import CHANCE, z_test
 
 __all__ = ["checks"]
 
@@ -82,7 +82,7 @@ def furnace(realisation, rendered, parameters):
     """At Sampling Width 0 every mean is the albedo, within its standard error."""
     means = _tiles(realisation, rendered, seeds=12)
     expected = _albedos(parameters)
-    test = z_test(means, expected, systematic=QUADRATURE)
+    test = z_test(means, expected, systematic=QUADRATURE, alpha=CHANCE)
     return Outcome((Figure("largest |z|", test.largest, test.limit),), _tile_picture(expected, means))
 
 
@@ -97,19 +97,19 @@ def diffuse_part(realisation, rendered, parameters):
 def soft_sun(realisation, rendered, parameters):
     """Every lit pixel, within its standard error."""
     pictures, towards = _sphere(realisation, rendered, 100, 12, math.radians(45.0), SUN)
-    reference, mask = probes.sphere_reference(probes.Reference.of(**parameters), SPHERE, towards, SUN)
+    reference, mask = _sphere_reference(parameters, towards, SUN)
     lit = mask & (reference.max(axis=-1) > LIT * reference.max())
-    test = z_test(pictures, reference, lit, systematic=SPHERE_QUADRATURE)
+    test = z_test(pictures, reference, lit, systematic=SPHERE_QUADRATURE, alpha=CHANCE)
     return Outcome((Figure("largest |z|", test.largest, test.limit),), _sphere_picture(reference, pictures, mask))
 
 
 def zero_size_sun(realisation, rendered, parameters):
     """The default width may blur the formula by 3 % in the mean of a ring, beyond what chance explains."""
     pictures, towards = _sphere(realisation, rendered, 200, 6, math.radians(35.0), 0.0)
-    reference, mask = probes.sphere_reference(probes.Reference.of(**parameters), SPHERE, towards, 0.0)
+    reference, mask = _sphere_reference(parameters, towards, 0.0)
     found, expected = probes.ring_means(pictures, mask), probes.ring_means(reference, mask)
     bright = expected > 0.02 * reference[mask].mean()
-    test = z_test(found[:, bright], expected[bright], tolerance=ZERO_SIZE_BIAS)
+    test = z_test(found[:, bright], expected[bright], tolerance=ZERO_SIZE_BIAS, alpha=CHANCE)
     return Outcome((Figure(f"largest |z| beyond {ZERO_SIZE_BIAS:.0%}", test.largest, test.limit),),
                    _sphere_picture(reference, pictures, mask))
 
@@ -130,13 +130,29 @@ def _sphere(realisation, parameters, samples, seeds, angle, diameter):
 
 def _albedos(parameters):
     """Of the tiles; the realisations share them."""
-    return _albedos_of(tuple(sorted((name, value) for name, value in parameters.items() if name != "sampling_width")))
+    return _albedos_of(_of_the_surface(parameters))
+
+
+def _of_the_surface(parameters):
+    """The parameters that the formula has, as a key."""
+    return tuple(sorted((name, value) for name, value in parameters.items() if name != "sampling_width"))
 
 
 @functools.lru_cache
 def _albedos_of(parameters):
     reference = probes.Reference.of(**dict(parameters))
     return np.array([reference.albedo(probes.tile_normal(angle)) for angle in probes.TILE_ANGLES])
+
+
+def _sphere_reference(parameters, towards, diameter):
+    """(sphere, mask) under a sun; the realisations share it."""
+    picture, mask = _sphere_reference_of(_of_the_surface(parameters), tuple(towards), diameter)
+    return picture.copy(), mask.copy()
+
+
+@functools.lru_cache
+def _sphere_reference_of(parameters, towards, diameter):
+    return probes.sphere_reference(probes.Reference.of(**dict(parameters)), SPHERE, np.array(towards), diameter)
 
 
 def _tile_picture(expected, means):

@@ -57,7 +57,7 @@ def page(results, facts, presets, left_out=()):
              f"<style>{STYLE}</style>", f'<body class="{"green" if green else "red"}">', f"<h1>{line}</h1>",
              "<p>Facet &amp; Film rendered its probes on this Blender and compared the pixels with the formulas of the "
              "papers, by quadrature. A figure passes when it is at most its limit; |z| is a difference in standard "
-             "errors, and its limit what chance exceeds once in a hundred reports.</p>",
+             "errors, and its limit what chance exceeds once in a thousand runs of the check.</p>",
              _rows([(html.escape(name), html.escape(str(value))) for name, value in facts])]
     if left_out:
         parts.append("<p>Not run: " + "; ".join(f"{html.escape(r)} ({html.escape(why)})" for r, why in left_out)

@@ -5,7 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["ZTest", "z_test", "relative_rms", "student_t_tails", "student_t_limit"]
+__all__ = ["CHANCE", "ZTest", "z_test", "relative_rms", "student_t_tails", "student_t_limit"]
+
+
+CHANCE = 1e-3
+"""Probability with which a check of the verification fails by chance alone; there are some thirty in a report."""
 
 
 @dataclass
