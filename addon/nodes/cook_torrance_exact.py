@@ -9,11 +9,11 @@ Products start with what is constant as a rule, so that Cycles folds away what
 a material does not use.
 """
 
-from ..operands import dot, less, sqrt
+from ..operands import dot, less, normalize, sqrt, widen
 from ..parameters import DEFAULT_SAMPLING_WIDTH
 from ..reflectance.cook_torrance_sampler import (
-    FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_share, scales)
-from ..reflectance.sampling import chosen, narrow_slope
+    FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_lobe, native_over_d, scales)
+from ..reflectance.sampling import chosen, narrow_slope, wide_slope
 from .builder import GroupBuilder
 from .cook_torrance_inputs import cook_torrance_inputs
 
@@ -63,19 +63,20 @@ class _Surface:
             gaussian = less(0.0, sockets.gaussian) * less(builder.random(DISTRIBUTION), sockets.gaussian)
             tilt, azimuth, side = (builder.random(number) for number in (TILT, AZIMUTH, SIDE))
         with builder.frame("Width > 0"):
-            a = narrow_slope(m, sockets.width)
-        share = native_share(self.n_v, m)
+            a, wide = narrow_slope(m, sockets.width), wide_slope(m, sockets.width)
+        share, lean = native_lobe(self.n_v, m)
         with builder.frame("Roulette"):
             probability = 1.0 - self.has_width * (1.0 - kept(share))
             shown = less(builder.random(ROULETTE), probability)
-        x = facet(self.normal, self.view, m, a, share, FLANKS * self.has_width, gaussian, tilt, azimuth, side)
+        x = facet(self.normal, self.view, m, a, wide, FLANKS * self.has_width, gaussian, tilt, azimuth, side)
         scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c)
-        weight = facet_weight(x, m, share, scale, self.has_width * (native_scale * (HEADROOM * share)),
-                              sockets.n, sockets.k, *self.fresnel_82)
+        native = self.has_width * (native_scale * (HEADROOM * share) * native_over_d(x, m, share, lean))
+        weight = facet_weight(x, scale, native, sockets.n, sockets.k, *self.fresnel_82)
         with builder.frame("Draw"):
             everything = sockets.specular * sum(weights[1:], weights[0])
             glossy = builder.node("ShaderNodeBsdfAnisotropic", {
-                "Color": weight * (everything / probability), "Roughness": sqrt(x.spread), "Normal": x.h,
+                "Color": weight * (everything / probability), "Normal": x.h, "Tangent": x.across,
+                "Roughness": sqrt(sqrt(x.a_across * x.a_along)), "Anisotropy": 1.0 - sqrt(x.a_across / x.a_along),
             }, distribution="BECKMANN")
             return builder.scale_shader(shown, glossy)
 
@@ -92,10 +93,11 @@ class _Surface:
 
     def _native_lobe(self, m, w):
         sockets = self.sockets
-        share = native_share(self.n_v, m)
+        share, lean = native_lobe(self.n_v, m)
         f0, tint = self.fresnel_82
         metallic = self.builder.node("ShaderNodeBsdfMetallic", {
-            "Base Color": f0, "Edge Tint": tint, "Roughness": sqrt(m * sqrt(share)), "Normal": self.normal,
+            "Base Color": f0, "Edge Tint": tint, "Roughness": sqrt(m * sqrt(share)),
+            "Normal": normalize(self.normal + widen(lean) * self.view),
         }, distribution="BECKMANN", fresnel_type="F82")
         _, native_scale = scales(m, sockets.gaussian, sockets.published, sockets.gaussian_c)
         part = native_scale / (1.0 + 3.0 * sockets.published)

@@ -8,8 +8,10 @@ above F, and 1 on most of the lobe.  E. Heitz and E. d'Eon, "Importance Sampling
 Microfacet-Based BSDFs using the Distribution of Visible Normals", EGSR 2014.
 
 With Sampling Width 0 that is all, and exact.  With a width above 0 a native
-Beckmann lobe that lies under f carries most of the light (:func:`native_share`),
-and narrow lobes about drawn facets only what is left of f above it.
+Beckmann lobe that lies under f carries most of the light (:func:`native_lobe`),
+and lobes about drawn facets only what is left of f above it.  Those are narrow
+across the rings about N, over which D falls and G has its kinks, and wide along
+them, where neither changes much.
 """
 
 from types import SimpleNamespace
@@ -21,8 +23,8 @@ from .masking import smith_beckmann, v_cavity, v_cavity_one_side
 from .sampling import narrowed, tilt, towards_flanks
 from .slopes import gaussian_c
 
-__all__ = ["native_share", "kept", "native_fresnel", "scales", "facet", "facet_weight", "sharpened_v_cavity",
-           "HEADROOM", "FLANKS"]
+__all__ = ["native_lobe", "kept", "native_fresnel", "scales", "facet", "native_over_d", "sharpened_v_cavity",
+           "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
 STEEPEST = 1.55
@@ -32,47 +34,52 @@ HEADROOM = 0.97
 """Keeps the native lobe under f where its F82 Fresnel term lies above the exact one."""
 
 
-FLANKS = 0.8
+FLANKS = 0.5
 """How far facets for the light above the native lobe are drawn from its flanks, where most of it is."""
 
 
-@term("Native share")
-def native_share(n_v, m):
-    """Share w of the light that a native Beckmann lobe of slope m√w can carry without passing f.
+@term("Native lobe")
+def native_lobe(n_v, m):
+    """Share w and lean of a native Beckmann lobe that carries as much light as it can without passing f.
 
     n_v  N·V, ``(...)``
     m    rms slope, ``(...)``
 
-    With x = tan(half the angle from V to the horizon)/m, how far in slopes the
-    facets are that mirror V into the horizon: w is the largest of 0.57,
-    0.36 + 0.18 x and the hump min(0.5 + x, 1.1 − 0.6 x), which is lower above
-    m = 0.5; at most 1.  Found by comparing the lobes over all L.  Up to 85° from
-    the normal what sticks out of f, and is lost, is less than 0.1 % of the light.
+    The lobe has the slope m√w and weighs 0.97 w, about N leaned towards V:
+    N + lean·V.  The lean, of a degree or so, keeps its light from the horizon,
+    where the V-cavity G fades sooner than Smith's.  With
+    x = tan(half the angle from V to the horizon)/m, how far in slopes the facets
+    are that mirror V into the horizon,
+    w = min(1, 0.53 + 1.05 x, max(0.89 − 0.5 m², 0.36 + 0.18 x)), at least 0.5, and
+    lean = 0.1 m min(1, 3x − 1.05, 2 − 0.55 x), at least 0.  Found by comparing
+    the lobes over all L: up to 85° from the normal what sticks out of f, and is
+    lost, is less than 0.2 % of the light.
 
-    >>> round(float(native_share(1.0, 0.2)), 6)                # smooth, from above: all of it
-    1.0
-    >>> round(float(native_share(0.5, 0.3)), 6)
-    0.57
+    >>> [round(float(y), 6) for y in native_lobe(1.0, 0.2)]        # smooth, from above: all of it
+    [1.0, 0.0]
+    >>> [round(float(y), 4) for y in native_lobe(0.5, 0.3)]
+    [0.845, 0.03]
     """
     cosine = clip(n_v, 0.0, 1.0)
     x = cosine / ((1.0 + sqrt(1.0 - cosine * cosine)) * m)
-    hump = minimum(0.5 + x, 1.1 - 0.6 * x - 0.4 * maximum(m - 0.5, 0.0))
-    return minimum(1.0, maximum(0.57, 0.36 + 0.18 * x, hump))
+    share = maximum(0.5, minimum(1.0, 0.53 + 1.05 * x, maximum(0.89 - 0.5 * (m * m), 0.36 + 0.18 * x)))
+    lean = 0.1 * m * clip(minimum(3.0 * x - 1.05, 2.0 - 0.55 * x), 0.0, 1.0)
+    return share, lean
 
 
 @term("Roulette")
 def kept(share):
     """Probability of drawing a facet at all: little where the native lobe leaves little.
 
-    share  of :func:`native_share`
+    share  of :func:`native_lobe`
 
     A drawn facet's weight is divided by it; the nodes of a facet that is not
     drawn are not evaluated.
 
-    >>> float(kept(0.57)), round(float(kept(1.0)), 6)
-    (1.0, 0.15)
+    >>> round(float(kept(0.6)), 6), round(float(kept(1.0)), 6)
+    (0.3, 0.06)
     """
-    return minimum(1.0, 2.35 - 2.2 * share)
+    return 0.66 - 0.6 * share
 
 
 @term("F0, F82")
@@ -106,34 +113,40 @@ def scales(m, gaussian, published, printed_c):
 
 
 @term("H")
-def facet(n, v, m, a, share, flanks, gaussian, u_tilt, u_azimuth, u_side):
-    """A facet of rms slope m drawn as the viewer sees it, for a lobe of slope a about it.
+def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
+    """A facet of rms slope m drawn as the viewer sees it, for a lobe about it.
 
     n, v       unit directions, ``(..., 3)``
-    m, a       rms slope and narrow slope, ``(...)``; a = 0 draws exactly
-    share      of :func:`native_share`, for d_native
+    m          rms slope, ``(...)``
+    a, wide    slopes of the lobe across and, at most, along the ring about n; 0 draws exactly
     flanks     [0, 1], how far the drawing keeps to the flanks of the lobe; 0 draws as D
     gaussian   0 for Beckmann's D, 1 for the Gaussian
     u_...      independent and even in [0, 1)
 
-    Returns by name: h, the facet's normal ``(..., 3)``; a, and spread, the slope
-    of the lobe about it in its own frame; and to weigh it, at the stretched facet (see
-    :func:`addon.reflectance.sampling.narrowed`): the cosines n_h, v_h, n_v,
-    n_l, d_native, which is D of the native lobe over D, and density, which is D
-    over the drawn density's part that depends on the distribution and the side.
+    Returns by name: h, the facet's normal ``(..., 3)``; across, the unit
+    direction at right angles to n in which it is tilted, ``(..., 3)``; a_across
+    and a_along, slopes of the lobe in its own frame; stretch, see
+    :func:`addon.reflectance.sampling.narrowed`.  And at the mean of what the
+    lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; sine of the
+    tilt; v_across; D as peak·exp(−steepness/m²)/m²; and density, D over the drawn
+    density's part that depends on the distribution and the side.
 
     >>> from .directions import direction
     >>> up = direction(0.0, 0.0)
-    >>> x = facet(up, up, 0.5, 0.0, 1.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
+    >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
     >>> round(float(x.n_h), 4), round(float(x.v_h), 4), float(x.density)     # tan α = m
     (0.8944, 0.8944, 1.0)
     """
     m_drawn, stretch = narrowed(m, a)
-    kept, drawn_density = towards_flanks(u_tilt, flanks)
-    drawn = tilt(kept, m_drawn)
-    tilted = [where(gaussian, g, b) for g, b in zip(_gaussian(drawn, stretch, m, share),
-                                                    _beckmann(drawn, stretch, m, share))]
-    sine_drawn, cos_drawn, sine, n_h, density, d_native, narrowing = tilted
+    kept_u, drawn_density = towards_flanks(u_tilt, flanks)
+    drawn = tilt(kept_u, m_drawn)
+    along = maximum(a, wide * minimum(2.5 * drawn / m, 1.0))
+    # Along a tangent the tilt only grows, its square by half the lobe's; and D with it, but for a factor.
+    grown = along * along - a * a
+    weighed = sqrt(drawn * stretch * (drawn * stretch) + 0.5 * grown)
+    thinner = sqrt(1.0 - grown / (m * m))
+    sine_drawn, cos_drawn, sine, n_h, density, steepness, peak, to_angle = (
+        where(gaussian, g, b) for g, b in zip(_gaussian(drawn, weighed, m), _beckmann(drawn, weighed)))
 
     t, b = frame_about(n)
     phi = 2.0 * PI * u_azimuth
@@ -144,94 +157,118 @@ def facet(n, v, m, a, share, flanks, gaussian, u_tilt, u_azimuth, u_side):
     is_other = less(this, u_side * (this + other))
     side = 1.0 - 2.0 * is_other
 
-    v_h = n_h * n_v + side * sine * across_v
+    v_across = side * across_v
+    v_h = maximum(n_h * n_v + sine * v_across, 0.0)
     seen = maximum(v_cavity_one_side(cos_drawn, n_v, where(is_other, other, this)), SMALLEST)
     return SimpleNamespace(
-        h=widen(cos_drawn) * n + widen(side * sine_drawn) * across, a=a, spread=a * narrowing,
-        n_h=n_h, n_v=n_v, n_l=2.0 * v_h * n_h - n_v, v_h=clip(v_h, 0.0, 1.0),
-        density=density * cos_drawn / (seen * drawn_density), d_native=d_native)
+        h=widen(cos_drawn) * n + widen(side * sine_drawn) * across, across=across,
+        a_across=a * to_angle * to_angle, a_along=along * to_angle, stretch=stretch,
+        n_h=n_h, n_v=n_v, n_l=2.0 * v_h * n_h - n_v, v_h=minimum(v_h, 1.0), sine=sine, v_across=v_across,
+        steepness=steepness, peak=peak, density=density * cos_drawn * thinner / (seen * drawn_density))
 
 
-def _beckmann(drawn, stretch, m, share):
-    """What :func:`facet` needs of a facet with tan α = drawn, in its order.
+def _beckmann(drawn, weighed):
+    """What :func:`facet` needs of a facet with tan α = drawn, weighed at another, in its order.
 
-    In the plane of slopes dω = cos³ α d²slope, which D cos α leaves a 1/cos α of,
-    and a lobe that is even in angle is wider by cos^-1.5 α, hence the narrowing.
+    In the plane of slopes dω = cos³ α d²slope, which D cos α leaves a 1/cos α
+    of; an angle is cos² α of its slope across the rings, and cos α along them.
     """
-    slope = drawn * stretch
-    cos_drawn, n_h = 1.0 / sqrt(1.0 + drawn * drawn), 1.0 / sqrt(1.0 + slope * slope)
-    below = _native_over_d(slope * slope * (1.0 - 1.0 / share), m, stretch, share)
-    return (drawn * cos_drawn, cos_drawn, slope * n_h, n_h, 1.0 / n_h, below, cos_drawn * sqrt(cos_drawn))
+    cos_drawn, n_h = 1.0 / sqrt(1.0 + drawn * drawn), 1.0 / sqrt(1.0 + weighed * weighed)
+    to_slope = 1.0 / n_h
+    peak = to_slope * to_slope * (to_slope * to_slope)
+    return drawn * cos_drawn, cos_drawn, weighed * n_h, n_h, to_slope, weighed * weighed, peak, cos_drawn
 
 
-def _gaussian(drawn, stretch, m, share):
-    """What :func:`facet` needs of a facet with α = drawn, in its order.
+def _gaussian(drawn, weighed, m):
+    """What :func:`facet` needs of a facet with α = drawn, weighed at another, in its order.
 
     In the plane of (α cos φ, α sin φ) dω = sin α/α d²α.
     """
     alpha_drawn = minimum(drawn, STEEPEST)
-    alpha = maximum(minimum(alpha_drawn * stretch, STEEPEST), 1e-4)
+    alpha = maximum(minimum(weighed, STEEPEST), 1e-4)
     sine, n_h = sin(alpha), cos(alpha)
     c_m2 = gaussian_c(m) * (m * m)
-    tangent = sine / n_h
-    below = _native_over_d(alpha * alpha - tangent * tangent / share, m, stretch, share)
-    below = below / (c_m2 * (n_h * n_h) * (n_h * n_h))
-    reached = less(alpha, STEEPEST)
-    return (sin(alpha_drawn), cos(alpha_drawn), sine, n_h, reached * c_m2 * sine / alpha, below, 1.0)
+    return (sin(alpha_drawn), cos(alpha_drawn), sine, n_h, less(alpha, STEEPEST) * c_m2 * sine / alpha,
+            alpha * alpha, c_m2, 1.0)
 
 
-def _native_over_d(exponent, m, stretch, share):
-    """D of the native lobe over D, exp(exponent/m²)/share, evaluated so that blurring it gives this.
+@term("D native / D")
+def native_over_d(x, m, share, lean):
+    """D G of the native lobe over D, and N·V over its own: what it reflects in units of the formula's F D/(4π N·V).
 
-    The blur makes exp(−κx) to exp(−κx/(1 + κb))/(1 + κb), with b = stretch − 1
-    the relative variance of stretched slopes, so a narrower and higher curve is
-    blurred; κ = 1/share − 1.
-    """
-    sharper = 1.0 / (1.0 - minimum((1.0 / share - 1.0) * (stretch - 1.0), 0.5))
-    return exp(exponent * sharper / (m * m)) * sharper / share
+    x            from :func:`facet`
+    m            rms slope
+    share, lean  of :func:`native_lobe`
 
-
-@term("G")
-def sharpened_v_cavity(n_h, n_v, n_l, v_h, a):
-    """The V-cavity G with its kinks raised, so that blurred by lobes of slope a it comes out as G.
-
-    At its kinks, where masking or shadowing sets in, the blur lowers G by about
-    0.4 times its change across the blur.  That change is small where masking
-    sets in, and three times as large where shadowing does, for L turns twice as
-    far as H.  The constants are the best of those tried, on spheres under suns.
-
-    >>> float(sharpened_v_cavity(0.9, 0.2, 0.8, 0.6, 0.0)) == float(v_cavity(0.9, 0.2, 0.8, 0.6))
-    True
-    >>> float(sharpened_v_cavity(0.8, 0.5, 0.9, 0.8, 0.1)) > 1.0
-    True
-    """
-    groove = 2.0 * n_h / maximum(v_h, SMALLEST)
-    reach = a * (1.1 + 2.4 * less(n_l, n_v))
-    near = maximum(reach - absolute(1.0 - groove * minimum(n_l, n_v)), 0.0)
-    return v_cavity(n_h, n_v, n_l, v_h) + 0.25 * near * near / maximum(reach, SMALLEST)
-
-
-@term("f cos/p")
-def facet_weight(x, m, share, scale, native_weight, n, k, f0, tint):
-    """Colour of the lobe about a drawn facet: F G less the native lobe, over the density, ``(..., 3)``.
-
-    x                   from :func:`facet`
-    m, share            rms slope, and share of :func:`native_share`
-    scale               of f, see :func:`scales`
-    native_weight       factor on the native lobe; 0 where there is none
-    n, k                complex refractive index, ``(..., 3)``
-    f0, tint            of :func:`native_fresnel`
-
-    With native_weight 0 and a facet drawn with a = 0 it is f (N·L)/p(L).
+    Evaluated so that blurring it gives this: the blur makes exp(−κy) to
+    exp(−κy/(1 + κb))/(1 + κb), with κ = 1/share − 1 and b = stretch − 1 the
+    relative variance of stretched slopes, so a narrower and higher curve is
+    blurred.
 
     >>> from .directions import direction
     >>> up = direction(0.0, 0.0)
-    >>> x = facet(up, up, 0.5, 0.0, 1.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
-    >>> facet_weight(x, 0.5, 1.0, 1.0, 0.0, 1.5, 0.0, 0.04, 1.0).round(4)
+    >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
+    >>> round(float(native_over_d(x, 0.5, 1.0, 0.0)), 4)          # Smith's G
+    0.9998
+    """
+    # Cosines to the normal N + lean V.
+    scale = 1.0 / sqrt(1.0 + lean * lean + 2.0 * lean * x.n_v)
+    n_h = scale * (x.n_h + lean * x.v_h)
+    n_v = scale * (x.n_v + lean)
+    n_l = scale * (x.n_l + lean * (2.0 * x.v_h * x.v_h - 1.0))
+    to_slope2 = 1.0 / maximum(n_h * n_h, SMALLEST)
+    sharper = 1.0 / (1.0 - minimum((1.0 / share - 1.0) * (x.stretch - 1.0), 0.5))
+    ratio = exp((x.steepness - (to_slope2 - 1.0) / share) * sharper / (m * m))
+    g = smith_beckmann(n_v, n_l, m * sqrt(share))
+    return ratio * g * (sharper * to_slope2 * to_slope2 / (share * x.peak)) * (x.n_v / maximum(n_v, SMALLEST))
+
+
+@term("G")
+def sharpened_v_cavity(x):
+    """The V-cavity G at a facet x of :func:`facet`, its kinks raised so that blurred by the lobe it comes out as G.
+
+    At its kinks, where masking or shadowing sets in, the blur lowers G by about
+    0.4 times its change across the blur, which follows from the derivatives of
+    2 (N·H)(N·V)/(V·H) and 2 (N·H)(N·L)/(V·H) across and along the ring about N.
+    The constants are the best of those tried, on spheres under suns.
+
+    >>> from .directions import direction
+    >>> up = direction(0.0, 0.0)
+    >>> mirror, lobe = (facet(up, up, 0.5, a, 2 * a, 0.0, 0.0, 0.27, 0.0, 0.0) for a in (0.0, 0.1))
+    >>> round(float(sharpened_v_cavity(mirror)), 4), round(float(sharpened_v_cavity(lobe)), 4)
+    (1.0, 1.0137)
+    """
+    v_h = maximum(x.v_h, 1e-3)
+    shadowed = less(x.n_l, x.n_v)
+    steep = 2.0 * x.n_v / (v_h * v_h)
+    masking_across = steep * x.v_across
+    across = x.a_across * where(shadowed, masking_across - 8.0 * x.n_h * x.sine, masking_across)
+    along = x.a_along * steep * x.n_h
+    v_along2 = maximum(1.0 - x.n_v * x.n_v - x.v_across * x.v_across, 0.0)
+    reach = minimum(1.3 * sqrt(across * across + 0.6 * (along * along) * v_along2), 1.0)
+    groove = 2.0 * x.n_h / v_h
+    near = maximum(reach - absolute(1.0 - groove * minimum(x.n_l, x.n_v)), 0.0)
+    return v_cavity(x.n_h, x.n_v, x.n_l, x.v_h) + 0.25 * near * near / maximum(reach, SMALLEST)
+
+
+@term("f cos/p")
+def facet_weight(x, scale, native, n, k, f0, tint):
+    """Colour of the lobe about a drawn facet: F G less the native lobe, over the density, ``(..., 3)``.
+
+    x          from :func:`facet`
+    scale      of f, see :func:`scales`
+    native     weight of the native lobe times :func:`native_over_d`; 0 where there is none
+    n, k       complex refractive index, ``(..., 3)``
+    f0, tint   of :func:`native_fresnel`
+
+    With native 0 and a facet drawn with a = 0 it is f (N·L)/p(L).
+
+    >>> from .directions import direction
+    >>> up = direction(0.0, 0.0)
+    >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
+    >>> facet_weight(x, 1.0, 0.0, 1.5, 0.0, 0.04, 1.0).round(4)
     array([0.0409])
     """
     v_h = widen(x.v_h)
-    whole = conductor(v_h, n, k) * widen(scale * sharpened_v_cavity(x.n_h, x.n_v, x.n_l, x.v_h, x.a))
-    g_native = smith_beckmann(x.n_v, x.n_l, m * sqrt(share))
-    native = f82(v_h, f0, tint) * widen(native_weight * x.d_native * g_native)
-    return maximum(whole - native, 0.0) * widen(x.density)
+    whole = conductor(v_h, n, k) * widen(scale * sharpened_v_cavity(x))
+    return maximum(whole - f82(v_h, f0, tint) * widen(native), 0.0) * widen(x.density)

@@ -7,25 +7,36 @@ of slope a about H, and H is drawn from a distribution narrowed by as much:
 slopes add like variances, (m² − a²) + a² = m².
 """
 
-from ..operands import less, log, maximum, sqrt, where
+from ..operands import less, log, maximum, minimum, sqrt, where
 
-__all__ = ["narrow_slope", "narrowed", "towards_flanks", "tilt", "chosen"]
+__all__ = ["narrow_slope", "wide_slope", "narrowed", "towards_flanks", "tilt", "chosen"]
 
 SMALLEST_DRAW = 1e-7
 """A random number of 0 is taken as this one: the tilt stays finite."""
 
+MOST_ALONG = 0.8
+"""Largest slope along the rings, as a share of m."""
+
 
 def narrow_slope(m, width):
-    """Slope a of the narrow lobes for facets of rms slope m: width·m/√(1 + 10 m²).
+    """Slope a, across the rings about N, of the lobes about facets of rms slope m: 1.5 width·m/√(1 + 20 m²).
 
-    width  Sampling Width, [0, 1]: a as a share of m where m is small.  The
-           kinks of the V-cavity G, which the lobes blur, lie at fixed angles, so
-           a grows to no more than 0.32 width on rough surfaces.
+    width  Sampling Width, [0, 1].  The kinks of the V-cavity G, which the lobes
+           blur, lie at fixed angles, so a stays below 0.34 width on rough surfaces.
 
     >>> round(float(narrow_slope(0.2, 0.2)), 4), round(float(narrow_slope(0.6, 0.2)), 4)
-    (0.0338, 0.056)
+    (0.0447, 0.0629)
     """
-    return width * m / sqrt(1.0 + 10.0 * (m * m))
+    return 1.5 * width * m / sqrt(1.0 + 20.0 * (m * m))
+
+
+def wide_slope(m, width):
+    """Largest slope of the same lobes along the rings about N, where D is constant: 1.5 width·m/√(1 + 4 m²).
+
+    >>> round(float(wide_slope(0.2, 0.2)), 4), round(float(wide_slope(0.6, 0.2)), 4)
+    (0.0557, 0.1152)
+    """
+    return minimum(1.5 * width, MOST_ALONG) * m / sqrt(1.0 + 4.0 * (m * m))
 
 
 def narrowed(m, a):

@@ -74,7 +74,7 @@ def test_white_furnace_at_the_default_width(slope):
 
 @pytest.mark.parametrize("width", [0.0, 0.2])
 def test_gaussian_furnace(width):
-    means = furnace_means("exact", seeds=4, slopes=FIGURE_6B, distribution="gaussian", sampling_width=width)
+    means = furnace_means("exact", samples=2048, slopes=FIGURE_6B, distribution="gaussian", sampling_width=width)
     expected = albedo(np.cos(scenes.FURNACE_ANGLES), slopes=FIGURE_6B, distribution="gaussian")
     assert np.abs(means.mean(axis=0) / expected - 1.0).max() < (0.005 if width == 0.0 else 0.01)
 
@@ -92,7 +92,7 @@ def test_published_scale_and_the_diffuse_part(width, realisation):
 @pytest.mark.parametrize("width", [0.0, 0.2])
 def test_published_gaussian_takes_the_printed_c(width, realisation):
     parameters = {"slopes": ((0.2, 1.0),), "distribution": "gaussian", "scale": "published", "gaussian_c": 3.0}
-    means = furnace_means(realisation, seeds=4, sampling_width=width, **parameters)
+    means = furnace_means(realisation, samples=2048, sampling_width=width, **parameters)
     expected = albedo(np.cos(scenes.FURNACE_ANGLES), slopes=((0.2, 1.0),), distribution="gaussian")
     expected = expected * 4.0 * 3.0 / slopes.gaussian_c(0.2)
     assert np.abs(means.mean(axis=0) / expected - 1.0).max() < (0.005 if width == 0.0 else 0.01)
