@@ -17,6 +17,9 @@ __all__ = ["NAME", "VERSION", "build"]
 NAME = "Layered RGB Fast"
 VERSION = 1
 
+NUDGE = (0.0003, 0.0005, 0.0007)
+"""Turns a lobe's tangent off V, for where V is the lobe's normal the two would span no plane."""
+
 
 def build():
     """The node group, newly built."""
@@ -41,4 +44,4 @@ def _closure(builder, lobe, view, specular):
         roughness, anisotropy = roughness_and_anisotropy(lobe.slope_in, lobe.slope_across)
         return builder.node("ShaderNodeBsdfAnisotropic", {
             "Color": lobe.colour * widen(specular), "Roughness": roughness, "Anisotropy": anisotropy,
-            "Normal": lobe.normal, "Tangent": view}, distribution="BECKMANN")
+            "Normal": lobe.normal, "Tangent": view + NUDGE}, distribution="BECKMANN")

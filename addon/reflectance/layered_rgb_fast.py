@@ -1,16 +1,23 @@
 """Native lobes that stand in for the layered RGB BRDF: the fast realisation.
 
-One Beckmann lobe about n0 for R, and one a channel for T, about the normal that
-mirrors V to where this channel's light leaves the layer.  A native lobe takes
-any colour that depends on V, none that depends on L, and no negative one.  So
-the albedos of R, of T and of the interference 2 cos(2Φ) √(RT) are worked out in
-closed form, and the last one, which may be negative, is dealt to the other two
-in proportion to theirs: as |2 √(RT)| ≤ R + T, neither becomes negative.
+One Beckmann lobe for R and one a channel for T, about the normals that mirror V
+to where the light of each is brightest.  A native lobe takes any colour that
+depends on V, none that depends on L, and no negative one.  So the albedos of R,
+of T and of the interference 2 cos(2Φ) √(RT) are worked out, and the last one is
+dealt: to T where it adds light; where it takes light, from R first and from T
+what R cannot give.  As |2 √(RT)| ≤ R + T, neither becomes negative.
 
-In the closed forms a lobe cos^e is a Gaussian of variance 1/(e + 2) in angle,
-cut off at the horizon, or in the layer at the edge of total reflection; √(RT)
-is a Gaussian between R and T.
-The energy scale's (e + 2)/(2π) is in them; the published scale takes it off again.
+**Albedos.**  R and T in closed form: a lobe cos^e is a Gaussian of variance
+1/(e + 2) in angle, cut off at the horizon, or in the layer at the edge of total
+reflection.  The interference turns with the angle of L, so it is summed over
+three directions in the plane of n0 and T's exit; across it, it is a Gaussian.
+
+**Peaks.**  T (N.L) has its peak above the direction in which the light leaves, the
+interference moves it to either side, and near grazing both make it narrower.
+Five directions in the same plane tell the place and the width of the peak:
+mean and deviation under the fourth power of T with what it was dealt.
+
+The energy scale's (e + 2)/(2π) is in the albedos; the published scale takes it off again.
 
 X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(4), 2003.
 """
@@ -18,17 +25,19 @@ X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(
 from types import SimpleNamespace
 
 from ..operands import (
-    arccos, cos, dot, exp, maximum, minimum, normalize, sqrt, term, where, widen, x_of, y_of, z_of,
+    arccos, cos, dot, exp, maximum, minimum, normalize, power, sin, sqrt, term, where, widen, x_of, y_of, z_of,
 )
 from .directions import PI, half_vector
-from .layered_rgb import (
-    cos_refracted, f_eq8, fifth_power, fresnel_eq7, phase_eq3, squared, transmission_eq9,
-)
+from .layered_rgb import cos_refracted, f_eq8, fifth_power, fresnel_eq7, squared, transmission_eq9
 
-__all__ = ["exit_directions", "reflected_albedo", "transmitted_albedo", "interference_albedo", "lobe_colours",
-           "native_lobes"]
+__all__ = ["exit_directions", "exit_plane", "in_plane", "reflected_albedo", "transmitted_albedo",
+           "interference_albedo", "peaks", "lobe_colours", "native_lobes"]
 
 SMALLEST = 1e-9
+LEAST_PEAK = 1e-30
+"""Fourth power of what no lobe falls below: keeps a mean over nothing from being 0/0."""
+LEAST_SINE = 1e-3
+"""Of D, in a division: single precision has no direction for shorter ones."""
 HALF_PI = 0.5 * PI
 
 HIGHEST_EXIT_SINE = 0.985
@@ -42,14 +51,23 @@ a lobe of variance σ² by EDGE_CURVE σ² √(r1²-1)."""
 
 CHANNELS = (("T lobe, red", x_of, (1.0, 0.0, 0.0)), ("T lobe, green", y_of, (0.0, 1.0, 0.0)),
             ("T lobe, blue", z_of, (0.0, 0.0, 1.0)))
+MEAN = (1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0)
 
 MOST_STRETCH = 2.5
 LEAST_V_H = 0.2
-MOST_LEAN = 0.12
-MOST_SHARE = 2.5
-MOST_SHIFT = 0.3
-PEAK_OF_MEAN = 0.7
-LEAST_LEFT = 0.2
+MOST_LEAN, LEAST_LEAN = 0.12, -0.3
+MOST_EXPONENT = 30.0
+
+ALBEDO_STEP = 1.4
+"""Standard deviations of √(RT) between the three directions of its albedo."""
+FADING = -1.0 / 64.0
+PEAK_STEP = 0.8
+"""Standard deviations of T between the five directions that find its peak."""
+SLANT, CURVE = 1.4, 1.2
+"""How N.L and (1 - F) together turn and narrow T, over what N.L does alone: they differ little with V."""
+PEAK_POWER = 4.0
+LOST = 0.84
+"""A native lobe reaches the horizon sooner than a Gaussian as wide."""
 
 
 @term("Exit directions")
@@ -152,75 +170,152 @@ def _mean_cosine(cos_w, r1, e1):
     return maximum(total, 0.0)
 
 
-@term("Albedo of 2 cos 2Φ √RT")
-def interference_albedo(exits, r1, d, wavelengths, f, e0, e1, r):
-    """∫ 2 cos(2Φ) √(RT) (N.L) dω, ``(..., 3)``; r is R's own albedo.
+@term("Plane of n0 and D")
+def exit_plane(exits, r1, d, wavelengths, f, e0, e1):
+    """What the lobes are within the plane of n0 and D, per channel ``(..., 3)``; angles count from n0 to D.
 
-    √(RT) has its peak between the mirror direction and D, and falls with their
-    distance: across the plane of incidence by the curvatures e0 + 2 and
-    (e1 + 2)/r1², within it by the angles that lie between them outside and in
-    the layer.  Its phase is taken there, and faded by what it turns within the lobe.
+    exits from :func:`exit_directions`; r1, wavelengths, f ``(..., 3)``, d, e0, e1 ``(...)``.
+
+    theta, sin_1     angle of D, and its sine
+    sin_w            sine in the layer of w
+    mirror_side      the mirror direction has the components n0_v along n0, mirror_side across it
+    path             2π r1 d/λ
+    out              𝒯(io) times (e1 + 2)/(e0 + 2), so that T is in units of R's scale
+    sigma_t          standard deviation of T's lobe outside, the cut-offs left out
+    middle, sigma    angle and standard deviation of the lobe √(RT)
+    across           its integral across the plane over its height in the plane
 
     >>> import numpy as np
     >>> up, r1 = np.array([0.0, 0.0, 1.0]), np.full(3, 1.5)
     >>> exits = exit_directions(up, up, up, r1)
-    >>> interference_albedo(exits, r1, 0.0, np.full(3, 500.0), f_eq8(r1), 90.0, 170.0, 0.04).round(2)
-    array([0.57, 0.57, 0.57])
+    >>> exit_plane(exits, r1, 90.0, np.full(3, 500.0), f_eq8(r1), 90.0, 170.0).sigma.round(4)
+    array([0.109, 0.109, 0.109])
     """
-    cos_axis = maximum(exits.cos_w, sqrt(1.0 - 1.0 / (r1 * r1)))
-    stretch = exits.cos_1 / cos_axis
-    curve_r = widen(e0 + 2.0)
-    across = widen(e1 + 2.0) / (r1 * r1)
-    within = across * stretch * stretch
-    distance2 = maximum(2.0 - 2.0 * exits.between, 0.0)
-    outside2 = minimum(squared(arccos(exits.cos_1) - widen(arccos(exits.n0_v))), distance2)
-    inside2 = squared(arccos(exits.cos_w) - arccos(exits.cos_o))
-    pull_r, pull_t = curve_r * outside2, widen(e1 + 2.0) * inside2
-    apart = (pull_r * pull_t / maximum(pull_r + pull_t, SMALLEST)
-             + (distance2 - outside2) * curve_r * across / (curve_r + across))
-    # The peak: the mirror direction and D, weighted by their curvatures.
-    weight_t = across * stretch
-    size2 = curve_r * curve_r + weight_t * weight_t + 2.0 * curve_r * weight_t * exits.between
-    cos_peak = minimum((curve_r * widen(exits.n0_v) + weight_t * exits.cos_1) / sqrt(size2), 1.0)
-    cos_i = sqrt(1.0 - (1.0 - cos_peak * cos_peak) / (r1 * r1))
-    phase = phase_eq3(cos_i, exits.cos_o, r1, d, wavelengths)
-    turn = widen(2.0 * PI * d) / wavelengths * sqrt(1.0 - cos_peak * cos_peak) * cos_peak / (r1 * cos_i)
-    curve = 0.5 * (curve_r + within)
-    fading = exp(-0.5 * (turn * turn / curve + 0.5 * apart))
-    middle = 0.75 * exits.cos_w + 0.25 * cos_i  # of T and √(RT), for what total reflection leaves of them
-    left = minimum(_mean_cosine(middle, r1, e1) / middle, 1.0) * above(
-        minimum((HALF_PI - arccos(cos_peak)) * sqrt(curve), 4.0))
-    fresnel = f + (1.0 - f) * fifth_power(1.0 - cos_peak)
-    # The mean of F over the lobe exceeds F in its middle, as R's albedo tells.
-    curved = r / (fresnel_eq7(exits.n0_v, f) * maximum(widen(exits.n0_v), SMALLEST))
-    amplitude = curved * fresnel * transmission_eq9(exits.cos_o, f) * sqrt((1.0 - fresnel) * (1.0 - f) * left)
-    spread = sqrt(curve * 0.5 * (curve_r + across))
-    return 2.0 * cos(2.0 * phase) * fading * sqrt(amplitude * curve_r * widen(e1 + 2.0)) * cos_peak / spread
+    n0_v = widen(exits.n0_v)
+    sin_1 = sqrt(1.0 - squared(exits.cos_1))
+    mirror_side = (exits.between - exits.cos_1 * n0_v) / maximum(sin_1, LEAST_SINE)
+    cos_axis = maximum(exits.cos_w, sqrt(1.0 - 1.0 / squared(r1)))
+    stretch = minimum(cos_axis / exits.cos_1, MOST_STRETCH)
+    curve_r, curve_t = widen(e0 + 2.0), widen(e1 + 2.0) / squared(r1)
+    within = curve_t / squared(stretch)
+    theta = arccos(exits.cos_1)
+    sine = sin_1 * n0_v - exits.cos_1 * mirror_side
+    from_mirror = sine * (1.0 + squared(sine) / 6.0)
+    # Where the mirror direction lies off the plane, √(RT) is highest on the way there.
+    aside2 = maximum(1.0 - squared(n0_v) - squared(mirror_side), 0.0)
+    both = curve_r + curve_t
+    across = exp(minimum(squared(curve_r) * aside2 / (4.0 * both), MOST_EXPONENT))
+    return SimpleNamespace(
+        theta=theta, sin_1=sin_1, sin_w=sqrt(1.0 - squared(exits.cos_w)), mirror_side=mirror_side,
+        path=r1 * widen(2.0 * PI * d) / wavelengths,
+        out=transmission_eq9(exits.cos_o, f) * widen((e1 + 2.0) / (e0 + 2.0)),
+        sigma_t=1.0 / sqrt(within), middle=theta - from_mirror * (curve_r / (curve_r + within)),
+        sigma=sqrt(2.0 / (curve_r + within)), across=across * sqrt(4.0 * PI / (both + 2.0)))
+
+
+def in_plane(exits, plane, theta, r1, f, e0, e1):
+    """R, T and 2 cos(2Φ) √(RT) towards an angle in the plane, each times N.L, in units of R's scale.
+
+    theta and what comes back ``(..., 3)``; below the horizon all are 0.
+
+    >>> import numpy as np
+    >>> up, r1 = np.array([0.0, 0.0, 1.0]), np.full(3, 1.5)
+    >>> f, exits = f_eq8(r1), exit_directions(up, up, up, r1)
+    >>> plane = exit_plane(exits, r1, 0.0, np.full(3, 500.0), f, 90.0, 90.0)
+    >>> [part.round(4)[0].item() for part in in_plane(exits, plane, plane.theta, r1, f, 90.0, 90.0)]
+    [0.04, 0.9216, 0.384]
+    """
+    height, side = cos(theta), sin(theta)
+    inside_side = side / r1
+    inside_height = sqrt(1.0 - squared(inside_side))
+    passed = (1.0 - f) * (1.0 - fifth_power(1.0 - height))
+    mirror = height * widen(exits.n0_v) + side * plane.mirror_side
+    lobe = inside_height * exits.cos_w + inside_side * plane.sin_w
+    seen = maximum(height, 0.0)
+    r = (1.0 - passed) * power(maximum(mirror, 0.0), widen(e0)) * seen
+    t = passed * power(maximum(lobe, 0.0), widen(e1)) * (plane.out * seen)
+    between = 2.0 * cos(plane.path * (inside_height + exits.cos_o)) * sqrt(r * t)
+    return r, t, between
+
+
+@term("Albedo of 2 cos 2Φ √RT")
+def interference_albedo(exits, plane, r1, f, e0, e1):
+    """∫ 2 cos(2Φ) √(RT) (N.L) dω, ``(..., 3)``: three directions in the plane, a Gaussian across it.
+
+    Layers so thick that 2Φ turns from one of these directions to the next have none.
+
+    >>> import numpy as np
+    >>> up, r1 = np.array([0.0, 0.0, 1.0]), np.full(3, 1.5)
+    >>> f, exits = f_eq8(r1), exit_directions(up, up, up, r1)
+    >>> plane = exit_plane(exits, r1, 0.0, np.full(3, 500.0), f, 90.0, 170.0)
+    >>> interference_albedo(exits, plane, r1, f, 90.0, 170.0).round(2)
+    array([0.56, 0.56, 0.56])
+    """
+    step = ALBEDO_STEP * plane.sigma
+    _, _, total = in_plane(exits, plane, plane.middle, r1, f, e0, e1)
+    for angle in (plane.middle - step, plane.middle + step):
+        total = total + in_plane(exits, plane, angle, r1, f, e0, e1)[2]
+    turn = plane.path * step * sin(plane.middle) / squared(r1)
+    fading = exp(squared(squared(turn)) * FADING)
+    return total * fading * step * plane.across * widen((e0 + 2.0) / (2.0 * PI))
+
+
+@term("Peaks")
+def peaks(exits, plane, r1, f, e0, e1):
+    """Angle of T's peak in the plane, interference included, and its standard deviation, ``(..., 3)``.
+
+    >>> import numpy as np
+    >>> view, r1 = np.array([0.6, 0.0, 0.8]), np.full(3, 1.5)
+    >>> f, exits = f_eq8(r1), exit_directions(view, np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, 1.0]), r1)
+    >>> plane = exit_plane(exits, r1, 0.0, np.full(3, 500.0), f, 90.0, 170.0)
+    >>> peak, sigma = peaks(exits, plane, r1, f, 90.0, 170.0)
+    >>> np.degrees(plane.theta - peak).round(2)[0].item(), np.degrees(sigma).round(1)[0].item()
+    (0.54, 7.1)
+    """
+    curve = 1.0 / squared(plane.sigma_t) + CURVE / squared(exits.cos_1)
+    centre = plane.theta - SLANT * plane.sin_1 / (exits.cos_1 * curve)
+    step = PEAK_STEP / sqrt(curve)
+    weights = [_peak_weight(exits, plane, centre + place * step, r1, f, e0, e1)
+               for place in (-2.0, -1.0, 0.0, 1.0, 2.0)]
+    inner, outer = weights[1] + weights[3], weights[0] + weights[4]
+    total = inner + outer + weights[2] + LEAST_PEAK
+    mean = (weights[3] - weights[1] + 2.0 * (weights[4] - weights[0])) / total
+    spread = maximum((inner + 4.0 * outer) / total - squared(mean), 0.01)
+    return centre + mean * step, step * sqrt(PEAK_POWER * spread)
+
+
+def _peak_weight(exits, plane, theta, r1, f, e0, e1):
+    """Fourth power of T (N.L) and what interference T is dealt, towards an angle."""
+    r, t, between = in_plane(exits, plane, theta, r1, f, e0, e1)
+    return squared(squared(maximum(t + _dealt_to_t(r, between), 0.0)))
+
+
+def _dealt_to_t(r, between):
+    """The interference but for what R gives of it where it takes light."""
+    return maximum(between, minimum(r + between, 0.0))
 
 
 @term("Colours")
-def lobe_colours(exits, r1, d, wavelengths, e0, e1, published=0.0):
-    """Albedo that the lobes of R and of T reflect, interference included, and its share in T's.
-
-    Each ``(..., 3)``; the albedos are never below 0.
+def lobe_colours(exits, plane, r1, f, e0, e1, published=0.0):
+    """Albedo that the lobes of R and of T reflect, interference included, ``(..., 3)``; never below 0.
 
     >>> import numpy as np
     >>> up, r1 = np.array([0.0, 0.0, 1.0]), np.full(3, 1.5)
-    >>> exits = exit_directions(up, up, up, r1)
-    >>> r, t, share = lobe_colours(exits, r1, 0.0, np.full(3, 500.0), 90.0, 170.0)
+    >>> f, exits = f_eq8(r1), exit_directions(up, up, up, r1)
+    >>> plane = exit_plane(exits, r1, 0.0, np.full(3, 500.0), f, 90.0, 170.0)
+    >>> r, t = lobe_colours(exits, plane, r1, f, 90.0, 170.0)
     >>> (r + t).round(2)
     array([1.34, 1.34, 1.34])
     """
-    f = f_eq8(r1)
     r = reflected_albedo(exits.n0_v, f, e0)
     t = transmitted_albedo(exits, r1, f, e1)
-    between = interference_albedo(exits, r1, d, wavelengths, f, e0, e1, r)
+    between = interference_albedo(exits, plane, r1, f, e0, e1)
     scale_r, scale_t = (where(published, 2.0 * PI / (e + 2.0), 1.0) for e in (e0, e1))
     r, t, between = r * widen(scale_r), t * widen(scale_t), between * widen(sqrt(scale_r * scale_t))
     most = 2.0 * sqrt(r * t)
-    between = minimum(maximum(between, -most), most) / maximum(r + t, SMALLEST)
-    dealt = 0.5 * maximum(1.0 + between, 0.0)
-    return r * dealt, t * dealt, between / maximum(1.0 + between, LEAST_LEFT)
+    between = minimum(maximum(between, -most), most)
+    to_t = _dealt_to_t(r, between)
+    return 0.5 * maximum(r + between - to_t, 0.0), 0.5 * maximum(t + to_t, 0.0)
 
 
 def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0):
@@ -235,46 +330,57 @@ def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0):
     >>> up = np.array([0.0, 0.0, 1.0])
     >>> lobes = native_lobes(up, up, up, np.full(3, 1.5), 0.0, np.full(3, 500.0), 98.0, 170.0)
     >>> lobes[0].normal, round(float(lobes[0].slope_in), 4), lobes[2].colour.round(2)
-    (array([0., 0., 1.]), 0.0707, array([0.  , 1.32, 0.  ]))
+    (array([0., 0., 1.]), 0.0707, array([0.  , 1.31, 0.  ]))
     """
+    f = f_eq8(r1)
     exits = exit_directions(view, n0, n1, r1)
-    r, t, share = lobe_colours(exits, r1, d, wavelengths, e0, e1, published)
-    mirror = widen(2.0 * exits.n0_v) * n0 - view
-    # From D towards the mean of T and of the interference that T carries, as far as the peak moves;
-    # and as the two lobes differ in width, so does what N.L moves them by.
-    curve_r, curve_t = widen(e0 + 2.0), widen(e1 + 2.0) / (r1 * r1)
-    shift = PEAK_OF_MEAN * share * (curve_r / (curve_r + curve_t))
-    shift = minimum(maximum(shift, -MOST_SHIFT), MOST_SHIFT)
-    cos_axis = maximum(exits.cos_w, sqrt(1.0 - 1.0 / (r1 * r1)))
-    curve_t = curve_t * squared(exits.cos_1 / cos_axis)
-    lean = 1.0 + maximum(share, -MOST_SHARE) * ((curve_t - curve_r) / (curve_t + curve_r))
-    lobes = [_lobe("R lobe", view, n0, mirror, 1.0, e0, exits.n0_v, exits.n0_v, 1.0, r)]
+    plane = exit_plane(exits, r1, d, wavelengths, f, e0, e1)
+    r, t = lobe_colours(exits, plane, r1, f, e0, e1, published)
+    peak, sigma = peaks(exits, plane, r1, f, e0, e1)
+    return [_r_lobe(view, n0, exits, f, e0, r), *_t_lobes(view, n0, n1, exits, plane, r1, e1, t, peak, sigma)]
+
+
+@term("R lobe")
+def _r_lobe(view, n0, exits, f, e0, albedo):
+    """R's lobe: N.L moves its peak up, F towards the horizon, by the variance times their logarithms' slopes."""
+    height = maximum(exits.n0_v, SMALLEST)
+    mean_f = dot(f, MEAN)
+    away = 1.0 - exits.n0_v
+    steep = (1.0 - mean_f) * squared(squared(away))
+    rise = 5.0 * steep / (mean_f + steep * away)
+    lean = minimum(maximum((1.0 / height - rise) / (e0 + 2.0), LEAST_LEAN), MOST_LEAN)
+    mirror = widen(2.0 * exits.n0_v + lean) * n0 - view
+    normal = half_vector(view, normalize(mirror))
+    kept = above(minimum((HALF_PI - arccos(exits.n0_v)) * sqrt(e0 + 2.0), 4.0))
+    slope = 1.0 / sqrt(2.0 * (e0 + 2.0))
+    return _lobe(view, normal, albedo / widen(kept), slope, slope)
+
+
+def _t_lobes(view, n0, n1, exits, plane, r1, e1, albedo, peak, sigma):
+    """T's lobes, each about the normal that mirrors V to its channel's peak."""
+    with_loss = term("T lobes")(_cut_off)(albedo, peak, sigma)
+    # The peak: D turned about its plane's normal, as a sum of V, n0 and n1 as D is.
+    turned = sin(peak) / maximum(plane.sin_1, LEAST_SINE)
+    on_n0 = turned * (exits.on_n0 - exits.cos_1) + cos(peak)
+    on_v, on_n1 = turned * exits.on_v, turned * exits.on_n1
+    slope_in, slope_across = sqrt(0.5) * sigma, r1 / widen(sqrt(2.0 * (e1 + 2.0)))
     for name, of, channel in CHANNELS:
-        direction = (widen(of(exits.on_v)) * view + widen(of(exits.on_n0)) * n0 + widen(of(exits.on_n1)) * n1)
-        direction = direction + widen(of(shift)) * (mirror - direction)
-        lobes.append(_lobe(name, view, n0, direction, of(r1), e1, of(cos_axis), of(exits.cos_1), of(lean),
-                           t * channel))
-    return lobes
+        aimed = term(name)(_aimed)
+        yield aimed(view, n0, n1, of(on_v), of(on_n0), of(on_n1), with_loss * channel, of(slope_in),
+                    of(slope_across))
 
 
-def _lobe(name, view, n0, direction, index, exponent, inside_cos, outside_cos, lean, colour):
-    """The Beckmann lobe as wide as cos^e, in a layer of this index, about a direction outside.
-
-    It is aimed a little above the direction, for N.L falls towards the horizon and
-    the printed lobe times N.L has its peak there: higher by the variance / tan of the height.
-    """
-    return term(name)(_leaned_lobe)(
-        view, n0, direction, index, exponent, inside_cos, outside_cos, lean, colour)
+def _cut_off(albedo, peak, sigma):
+    """The colour of a lobe that loses what of it lies below the horizon, to reflect this albedo."""
+    return albedo / above(minimum(LOST * (HALF_PI - peak) / sigma, 4.0))
 
 
-def _leaned_lobe(view, n0, direction, index, exponent, inside_cos, outside_cos, lean, colour):
-    slope = index / sqrt(2.0 * (exponent + 2.0))
-    height = maximum(outside_cos, SMALLEST)
-    slope_in = slope * minimum(inside_cos / height, MOST_STRETCH)
-    lean = minimum(lean * (2.0 * slope_in * slope_in / height), MOST_LEAN)
-    normal = half_vector(view, normalize(direction + widen(lean) * n0))
-    # A native lobe loses what of it lies below the horizon; the colours are what is to be reflected.
-    clearance = (HALF_PI - arccos(outside_cos) + lean) / maximum(1.4142 * slope_in, SMALLEST)
-    kept = above(minimum(clearance, 4.0))
-    return SimpleNamespace(normal=normal, colour=colour / widen(kept), slope_in=slope_in,
-                           slope_across=slope / maximum(dot(view, normal), LEAST_V_H))
+def _aimed(view, n0, n1, on_v, on_n0, on_n1, colour, slope_in, slope_across):
+    direction = widen(on_v) * view + widen(on_n0) * n0 + widen(on_n1) * n1
+    return _lobe(view, half_vector(view, direction), colour, slope_in, slope_across)
+
+
+def _lobe(view, normal, colour, slope_in, slope_across):
+    """A Beckmann lobe of these slopes; across the plane of V its normals stand as V.H times as far apart as L does."""
+    return SimpleNamespace(normal=normal, colour=colour, slope_in=slope_in,
+                           slope_across=slope_across / maximum(dot(view, normal), LEAST_V_H))

@@ -7,11 +7,12 @@ import pytest
 
 from addon.reflectance import directions
 from addon.reflectance import layered_rgb as layered
-from addon.reflectance.layered_rgb_fast import exit_directions, lobe_colours, native_lobes
+from addon.reflectance.layered_rgb_fast import exit_directions, exit_plane, lobe_colours, native_lobes
 
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
 WAVELENGTHS = np.array(layered.WAVELENGTHS)
-ANGLES = (0.0, 9.0, 18.0, 27.0, 36.0, 45.0, 54.0, 63.0)
+ANGLES = (0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 75.0, 80.0)
+LARGEST_SHIFT, LARGEST_SHIFT_IN_THE_DARK = 1.0, 2.0
 FIGURE_3 = ((1.4, 1.45, 1.6), 90.0, 170.0)
 FIGURE_5 = ((1.5, 1.6, 1.8), 130.0, 130.0)
 
@@ -48,8 +49,9 @@ def formula_albedos(view, n1, r1, thicknesses, e0, e1):
 
 
 def fast_albedo(view, n1, r1, d, e0, e1):
-    r, t, _ = lobe_colours(exit_directions(view, UP, n1, r1), r1, d, WAVELENGTHS, e0, e1)
-    return r + t
+    f, exits = layered.f_eq8(r1), exit_directions(view, UP, n1, r1)
+    plane = exit_plane(exits, r1, d, WAVELENGTHS, f, e0, e1)
+    return sum(lobe_colours(exits, plane, r1, f, e0, e1))
 
 
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
@@ -79,42 +81,83 @@ def test_albedo_of_deviated_boundaries(r1, e0, e1, deviation):
 
 
 def beckmann(light, view, lobe):
-    """D/(4 V.H) of the anisotropic Beckmann lobe, which is the closure times N.L but for Smith's G."""
+    """The anisotropic Beckmann closure times N.L, with Smith's G."""
+    def inner(a, b):
+        return np.sum(a * b, axis=-1)
+
+    def smith(w):
+        slant = np.hypot(lobe.slope_in * inner(w, x), lobe.slope_across * inner(w, y))
+        a = np.abs(inner(w, n)) / np.maximum(slant, 1e-9)
+        return np.where(a >= 1.6, 0.0, (1 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a))
+
     n = lobe.normal
-    y = np.cross(n, view)
-    y /= max(np.linalg.norm(y), 1e-12)
+    y = np.cross(n, view + [3e-4, 5e-4, 7e-4])
+    y /= np.linalg.norm(y)
     x = np.cross(y, n)
     half = light + view
-    half /= np.linalg.norm(half, axis=-1, keepdims=True)
-    cosine = half @ n
+    half = half / np.linalg.norm(half, axis=-1, keepdims=True)
+    cosine = np.maximum(half @ n, 1e-3)
     slope2 = ((half @ x / lobe.slope_in) ** 2 + (half @ y / lobe.slope_across) ** 2) / cosine ** 2
     d = np.exp(-np.minimum(slope2, 80.0)) / (math.pi * lobe.slope_in * lobe.slope_across * cosine ** 4)
-    return d / (4 * n @ view)
+    return np.where(light @ n > 0.0, d / ((1 + smith(light) + smith(view)) * 4 * (n @ view)), 0.0)
+
+
+@pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
+def test_albedo_of_the_closures(r1, e0, e1):
+    """What the closures reflect, what they lose at the horizon included: within 2 % up to 75°."""
+    r1, thicknesses = np.array(r1), (15.0, 92.0, 400.0)
+    for angle in (0.0, 30.0, 60.0, 70.0, 75.0):
+        expected = formula_albedos(view_at(angle), UP, r1, thicknesses, e0, e1)
+        for d, albedo in zip(thicknesses, expected):
+            lobes = native_lobes(view_at(angle), UP, UP, r1, d, WAVELENGTHS, e0, e1)
+            found = sum(np.sum(beckmann(LIGHTS, view_at(angle), lobe) * SOLID_ANGLE) * lobe.colour for lobe in lobes)
+            np.testing.assert_allclose(found, albedo, rtol=0.02)
 
 
 def top(angles, seen):
-    """First and last angle above four fifths of each channel's largest value: tops may be flat."""
+    """Middle of the stretch above four fifths of each channel's largest value: tops may be flat."""
     stretches = [angles[channel > 0.8 * channel.max()] for channel in seen.T]
-    return np.array([[stretch[0], stretch[-1]] for stretch in stretches])
+    return np.array([0.5 * (stretch[0] + stretch[-1]) for stretch in stretches])
 
 
-@pytest.mark.parametrize("polar", [0.5, 10.0, 20.0, 30.0, 40.0])
+def has_one_peak(seen):
+    """Whether each channel of the curves has no second peak above half of the first."""
+    rising = np.diff(seen, axis=0) > 0.0
+    peaks = rising[:-1] & ~rising[1:] & (seen[1:-1] > 0.5 * seen.max(axis=0))
+    return peaks.sum(axis=0) == 1
+
+
+POLARS = (0.5, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 65.0, 70.0, -20.0, -40.0, -60.0)
+
+
 @pytest.mark.parametrize("deviation", [0.0, 5.0, 10.0, 14.0])
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
-def test_peaks_of_the_channels(r1, e0, e1, deviation, polar):
-    """A lamp moved through the plane of V and n0 is brightest at the same angle within 1°, per channel."""
-    r1, n1, view = np.array(r1), lower_normal(deviation), view_at(polar)
-    angles = np.arange(-75.0, 75.0, 0.1)
+def test_peaks_of_the_channels(r1, e0, e1, deviation):
+    """A lamp moved through the plane of V and n0 is brightest at the same angle within 1°, per channel.
+
+    Within 2° where interference takes more than three tenths of the light and leaves a
+    flat top; where it makes one peak two, or R and T stand apart and are both as
+    bright, there is no one place to compare.
+    """
+    r1, n1 = np.array(r1), lower_normal(deviation)
+    angles = np.arange(-89.5, 89.6, 0.1)
     lamps = np.stack([view_at(angle) for angle in angles])
-    cosines = layered.inner_products(lamps, view, UP, n1, r1)
-    for d in (15.0, 92.0, 170.0):
-        formula = layered.layered_specular(cosines, r1, d, WAVELENGTHS, e0, e1) * cosines.n0_l[:, None]
-        fast = sum(beckmann(lamps, view, lobe)[:, None] * lobe.colour
-                   for lobe in native_lobes(view, UP, n1, r1, d, WAVELENGTHS, e0, e1))
-        expected, found = top(angles, formula), top(angles, fast)
-        clear = np.abs(expected).max(axis=1) < 60.0  # of the horizon
-        apart = (found - expected).mean(axis=1)[clear]
-        assert apart.size == 0 or np.abs(apart).max() <= 1.0 + 1e-6, (d, apart)
+    compared = 0
+    for polar in POLARS:
+        view = view_at(polar)
+        cosines = layered.inner_products(lamps, view, UP, n1, r1)
+        for d in (15.0, 70.0, 92.0, 170.0, 400.0):
+            formula = layered.layered_specular(cosines, r1, d, WAVELENGTHS, e0, e1) * cosines.n0_l[:, None]
+            fast = sum(beckmann(lamps, view, lobe)[:, None] * lobe.colour
+                       for lobe in native_lobes(view, UP, n1, r1, d, WAVELENGTHS, e0, e1))
+            r, t = layered.layered_lobes(cosines, r1, e0, e1)
+            left = formula.sum(axis=0) / (0.5 * (r + t) * cosines.n0_l[:, None]).sum(axis=0)
+            limit = np.where(left > 0.7, LARGEST_SHIFT, LARGEST_SHIFT_IN_THE_DARK)
+            apart = np.abs(top(angles, fast) - top(angles, formula))
+            one = has_one_peak(formula)
+            compared += one.sum()
+            assert (apart <= limit + 1e-6)[one].all(), (polar, d, apart, left)
+    assert compared > 0.95 * 3 * 5 * len(POLARS)
 
 
 def test_no_colour_is_negative():
