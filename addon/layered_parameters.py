@@ -9,7 +9,7 @@ __all__ = ["LayeredRGB", "layered_rgb_parameters", "DEFAULT_THICKNESS", "DEFAULT
 
 SCALES = ("energy", "published")
 DEFAULT_THICKNESS = 70.0
-DEFAULT_SAMPLING_WIDTH = 0.4
+DEFAULT_SAMPLING_WIDTH = 0.3
 MOST_DEVIATION = math.radians(90.0)
 MOST_WIDTH = 0.9
 

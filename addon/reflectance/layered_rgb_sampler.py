@@ -34,7 +34,7 @@ from .layered_rgb import (
 __all__ = ["narrowed_exponent", "proposal", "tapered_width", "draw", "weight", "kernel",
            "roughness_and_anisotropy", "DEFAULT_WIDTH"]
 
-DEFAULT_WIDTH = 0.4
+DEFAULT_WIDTH = 0.3
 """Sampling Width that is open to light sampling; its bias is in docs and tests."""
 
 MEAN = (1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0)

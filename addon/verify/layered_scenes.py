@@ -14,7 +14,7 @@ __all__ = ["material", "Reference", "furnace_tiles", "furnace_means", "sphere_re
            "rings", "ring_means", "tile_normal", "TILE_ANGLES", "TILE_PIXELS"]
 
 EAST = np.array([1.0, 0.0, 0.0])
-TILE_ANGLES = np.radians([0.0, 15.0, 30.0, 45.0, 60.0, -20.0, -40.0, -60.0])
+TILE_ANGLES = np.radians([0.0, 20.0, 40.0, 60.0, 75.0, -20.0, -40.0, -60.0])
 """Of the eight tiles' normals to the view, towards and away from the deviation."""
 TILE_PIXELS = 6
 
