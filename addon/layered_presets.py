@@ -45,7 +45,8 @@ FIGURE_5 = dict(ior=(1.5, 1.6, 1.8), exponent_r=130.0, exponent_t=130.0, deviati
 
 PRESETS = {
     "figure 2, old metal": LayeredPreset(
-        "Figure 2: old metal", "figure", "Diffuse part only, 1 to 30 nm, index 1.5." + NOISE,
+        "Figure 2: old metal", "figure", "Diffuse part only, 1 to 30 nm, index 1.5: a grey that grows warm and "
+        "dark with the thickness." + NOISE,
         _diffuse((1, 30), 1.5)),
     "figure 2, coloured": LayeredPreset(
         "Figure 2: coloured", "figure", "Diffuse part only, 1 to 210 nm, index 1.3." + NOISE,
