@@ -29,7 +29,7 @@ help:
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make bench     measure time, noise and sizes, write out/bench.json and docs/benchmarks.md"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
-	@echo "make assets    build the library of node groups and the catalogue of materials (on Blender 4.5)"
+	@echo "make assets    build node groups, previews, asset library and catalogue (on Blender 4.5)"
 	@echo "make setup     only make the environment that the others use ($(VENV))"
 
 setup:
@@ -61,4 +61,6 @@ package: setup
 assets:
 	$(MAKE) setup BPY=4.5 VENV=$(OLDEST)
 	$(OLDEST)/bin/python tools/build_groups.py
+	$(OLDEST)/bin/python tools/render_previews.py
+	$(OLDEST)/bin/python tools/build_assets.py
 	$(OLDEST)/bin/python tools/build_catalogue.py

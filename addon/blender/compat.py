@@ -2,7 +2,7 @@
 
 import bpy
 
-__all__ = ["conductor_formula", "working_space", "enable_nodes", "eevee_engine"]
+__all__ = ["conductor_formula", "working_space", "enable_nodes", "eevee_engine", "is_unused_newcomer"]
 
 
 def conductor_formula():
@@ -40,3 +40,10 @@ def eevee_engine():
     """The identifier of EEVEE, renamed in 5.0."""
     engines = bpy.types.RenderSettings.bl_rna.properties["engine"].enum_items.keys()
     return "BLENDER_EEVEE_NEXT" if "BLENDER_EEVEE_NEXT" in engines else "BLENDER_EEVEE"
+
+
+def is_unused_newcomer(socket):
+    """Whether a socket came to its node after 4.5 and does nothing as it stands: the Metallic BSDF's thin film."""
+    thickness = "Thin Film Thickness"
+    return (socket.identifier == "Thin Film IOR"
+            or socket.identifier == thickness and socket.default_value == 0.0)

@@ -6,8 +6,10 @@ from pathlib import Path
 
 import bpy
 
-__all__ = ["GROUPS", "FAST_OF", "EEVEE_OUTPUT", "LIBRARY", "build_group", "node_group", "group_id", "socket_named",
-           "input_names"]
+from . import compat
+
+__all__ = ["GROUPS", "FAST_OF", "EEVEE_OUTPUT", "LIBRARY", "build_group", "node_group", "group_id", "group_version",
+           "edited", "socket_named", "input_names"]
 
 GROUPS = {
     "cook_torrance_fast": "cook_torrance_fast",
@@ -48,10 +50,11 @@ def node_group(identifier):
     A group that a user has edited is left alone and not reused.
     """
     definition = _definition(identifier)
-    for tree in bpy.data.node_groups:
-        if (tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == definition.VERSION
-                and not tree.library and tree.get(FINGERPRINT_KEY) == fingerprint(tree)):
-            return tree
+    same = [tree for tree in bpy.data.node_groups
+            if tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == definition.VERSION
+            and not tree.library and not edited(tree)]
+    if same:
+        return _merged(same)
     tree = _from_library(definition.NAME) or definition.build()
     if identifier in FAST_OF:
         _add_eevee_output(tree, node_group(FAST_OF[identifier]))
@@ -59,6 +62,25 @@ def node_group(identifier):
     tree[VERSION_KEY] = definition.VERSION
     tree[FINGERPRINT_KEY] = fingerprint(tree)
     return tree
+
+
+def _merged(trees):
+    """The first of equal groups, in the place of the others: an asset that was dragged in brings its own."""
+    first, *others = trees
+    for tree in others:
+        tree.user_remap(first)
+        bpy.data.node_groups.remove(tree)
+    return first
+
+
+def edited(tree):
+    """Whether someone changed what one of our groups computes."""
+    return tree.get(FINGERPRINT_KEY) != fingerprint(tree)
+
+
+def group_version(identifier):
+    """The version of the group with this id that this extension makes."""
+    return _definition(identifier).VERSION
 
 
 def build_group(identifier):
@@ -70,8 +92,11 @@ def _from_library(name):
     """The group appended from the library, or None where the library does not hold it."""
     if not LIBRARY.exists():
         return None
+    before = set(bpy.data.libraries)
     with bpy.data.libraries.load(str(LIBRARY), link=False) as (source, target):
         target.node_groups = [found for found in source.node_groups if found == name]
+    for library in set(bpy.data.libraries) - before:
+        bpy.data.libraries.remove(library)  # appending leaves an entry from which nothing is linked
     return target.node_groups[0] if target.node_groups else None
 
 
@@ -103,14 +128,14 @@ def group_id(tree):
 
 
 def fingerprint(tree):
-    """A short text that changes when someone edits what the group computes."""
+    """A short text that changes when someone edits what the group computes, and not with the Blender that reads it."""
     digest = hashlib.sha256()
     for node in tree.nodes:
         if node.bl_idname == "NodeFrame":
             continue
         digest.update(f"{node.name} {node.bl_idname} {getattr(node, 'operation', '')}".encode())
         for socket in node.inputs:
-            if not socket.is_linked and hasattr(socket, "default_value"):
+            if not socket.is_linked and hasattr(socket, "default_value") and not compat.is_unused_newcomer(socket):
                 value = socket.default_value
                 shown = tuple(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
                 digest.update(f"{socket.identifier}{shown}".encode())

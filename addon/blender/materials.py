@@ -6,8 +6,8 @@ from . import cook_torrance_material, layered_material
 from .compat import enable_nodes
 from .groups import EEVEE_OUTPUT, group_id, input_names, node_group, socket_named
 
-__all__ = ["MODELS", "apply", "switch", "rebake", "our_node", "model_of", "realisation_of", "parameters_of", "record_of",
-           "found_in"]
+__all__ = ["MODELS", "apply", "switch", "rebake", "exchange_group", "our_node", "model_of", "realisation_of",
+           "parameters_of", "record_of", "found_in"]
 
 MODELS = {"cook_torrance": cook_torrance_material, "layered_rgb": layered_material}
 """Model -> module with GROUP_OF, F82_GROUP_OF, write, read and show_in_viewport."""
@@ -49,10 +49,26 @@ def rebake(material, parameters, record):
     material[RECORD_KEY] = json.dumps(record)
 
 
+def exchange_group(tree, node, group):
+    """Put another version of its group into a node; values and links stay, outputs of the same name too."""
+    targets = [(link.from_socket.name, link.to_socket) for output in node.outputs for link in output.links]
+    _set_values(tree, node, group)
+    for name, target in targets:
+        found = next((output for output in node.outputs if output.name == name), None)
+        if found is not None:
+            tree.links.new(found, target)
+
+
 def _set_group(tree, node, group):
     """Give the node this group; values and links go over to sockets of the same name."""
     if node.node_tree == group:
         return
+    _set_values(tree, node, group)
+    _wire_outputs(tree, node)
+
+
+def _set_values(tree, node, group):
+    """Give the node this group with the values and links that it had."""
     values, sources = {}, {}
     if node.node_tree is not None:
         for name in input_names(node.node_tree):
@@ -69,7 +85,6 @@ def _set_group(tree, node, group):
             socket_named(node, name).default_value = values[name]
         if name in sources:
             tree.links.new(sources[name], socket_named(node, name))
-    _wire_outputs(tree, node)
 
 
 def _wire_outputs(tree, node):

@@ -2,16 +2,16 @@
 
 import bpy
 
-from . import (bake_operator, check_operator, data_operators, material_panel, measurement_panel, node_menu,
+from . import (asset_library, bake_operator, check_operator, data_operators, material_panel, measurement_panel, node_menu,
                node_sidebar, picker, preferences, realisation_operator, rebake_all_operator, settings, thumbnails,
-               verify_operator)
+               updates, verify_operator)
 
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *data_operators.CLASSES,
-           *check_operator.CLASSES, *rebake_all_operator.CLASSES, *material_panel.CLASSES, *measurement_panel.CLASSES,
-           *material_panel.LAST_CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES, *verify_operator.CLASSES,
-           *preferences.CLASSES)
+           *check_operator.CLASSES, *rebake_all_operator.CLASSES, *material_panel.CLASSES, *updates.CLASSES,
+           *measurement_panel.CLASSES, *material_panel.LAST_CLASSES, *asset_library.CLASSES, *node_menu.CLASSES,
+           *node_sidebar.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
 ATTACHED = (settings, material_panel, node_menu)
 COMMAND = "facet_film"
 _commands = []
@@ -33,6 +33,7 @@ def unregister():
         module.detach()
     picker.forget()
     thumbnails.clear()
+    asset_library.detach()
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
 

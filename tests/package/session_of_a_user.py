@@ -12,27 +12,10 @@ import traceback
 from pathlib import Path
 
 import bpy
+from traces import traces
 
 MODULE = "bl_ext.user_default.facet_film"
 ZIP, REPORT = sys.argv[1:]
-
-
-def traces():
-    """All that an add-on could leave in Blender: classes, operators, menu entries, handlers, properties."""
-    seen = {f"type {name}" for name in dir(bpy.types)}
-    seen |= {f"operator {room}.{name}" for room in dir(bpy.ops) for name in dir(getattr(bpy.ops, room))}
-    for name in dir(bpy.types):
-        cls = getattr(bpy.types, name)
-        if not hasattr(cls, "bl_rna"):
-            continue
-        draw_functions = getattr(getattr(cls, "draw", None), "_draw_funcs", ())
-        seen |= {f"entry in {name}: {function.__module__}.{function.__qualname__}" for function in draw_functions}
-        seen |= {f"property {name}.{key}" for key in cls.bl_rna.properties.keys()}
-    for name in dir(bpy.app.handlers):
-        handlers = getattr(bpy.app.handlers, name)
-        if isinstance(handlers, list):
-            seen |= {f"handler {name}: {getattr(handler, '__module__', '')}" for handler in handlers}
-    return seen
 
 
 def installed_folder():

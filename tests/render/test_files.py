@@ -1,0 +1,163 @@
+"""Materials that travel: saved, loaded, appended, linked, copied, without the extension, and from an older version."""
+
+import bpy
+import numpy as np
+import pytest
+
+import addon
+from addon import api
+from addon.blender import groups, materials, updates
+
+MADE = {
+    "copper": dict(preset="copper", realisation="fast"),
+    "copper exact": dict(preset="copper", realisation="exact"),
+    "nacre": dict(model="layered_rgb", preset="nacre", realisation="exact"),
+}
+
+
+@pytest.fixture
+def empty():
+    """An empty file."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+
+
+@pytest.fixture
+def enabled(empty):
+    """The extension registered."""
+    addon.register()
+    yield
+    addon.unregister()
+
+
+def picture(material, folder):
+    """A few pixels of a ball of this material, with a seed of their own."""
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples, scene.cycles.seed, scene.cycles.use_adaptive_sampling = 4, 3, False
+    scene.render.resolution_x = scene.render.resolution_y = 24
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    if scene.camera is None:
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
+        bpy.context.active_object.name = "Ball"
+        bpy.ops.object.light_add(type="SUN", rotation=(0.6, 0.4, 0.0))
+        bpy.ops.object.camera_add(location=(0.0, 0.0, 6.0))
+        scene.camera = bpy.context.active_object
+    ball = bpy.data.objects["Ball"]
+    ball.data.materials.clear()
+    ball.data.materials.append(material)
+    scene.render.filepath = str(folder / "picture.exr")
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath)
+    pixels = np.array(image.pixels[:])
+    bpy.data.images.remove(image)
+    assert pixels.max() > 0.05
+    return pixels
+
+
+@pytest.fixture
+def saved(empty, tmp_path):
+    """A file that holds the materials, and their pictures before it was saved."""
+    file, pictures = tmp_path / "saved.blend", {}
+    for name, recipe in MADE.items():
+        pictures[name] = picture(api.create_material(name=name, **recipe), tmp_path)
+        bpy.data.materials[name].use_fake_user = True
+    bpy.ops.wm.save_as_mainfile(filepath=str(file))
+    return file, pictures
+
+
+def test_they_render_the_same_when_loaded_again_without_the_extension(saved, tmp_path):
+    file, pictures = saved
+    bpy.ops.wm.open_mainfile(filepath=str(file))
+    assert not hasattr(bpy.types.WindowManager, "facet_film")
+    for name, before in pictures.items():
+        np.testing.assert_array_equal(picture(bpy.data.materials[name], tmp_path), before)
+
+
+@pytest.mark.parametrize("link", (False, True), ids=("appended", "linked"))
+def test_they_render_the_same_in_another_file(saved, tmp_path, link):
+    file, pictures = saved
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with bpy.data.libraries.load(str(file), link=link) as (_, target):
+        target.materials = list(MADE)
+    for name, material in zip(MADE, target.materials):
+        np.testing.assert_array_equal(picture(material, tmp_path), pictures[name])
+        assert materials.record_of(material)["title"]
+
+
+def test_they_are_copied_between_files_by_the_clipboard(saved, tmp_path):
+    file, pictures = saved
+    bpy.ops.wm.open_mainfile(filepath=str(file))
+    bpy.data.libraries.write(str(tmp_path / "copied.blend"), {bpy.data.materials["copper exact"]})
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with bpy.data.libraries.load(str(tmp_path / "copied.blend")) as (_, target):
+        target.materials = ["copper exact"]
+    np.testing.assert_array_equal(picture(target.materials[0], tmp_path), pictures["copper exact"])
+
+
+def test_an_appended_group_takes_the_place_of_its_equal(saved):
+    file, _ = saved
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    api.create_material(preset="gold")
+    with bpy.data.libraries.load(str(file)) as (_, target):
+        target.materials = ["copper"]
+    assert len(bpy.data.node_groups) == 2
+    api.create_material(preset="silver")
+    assert [tree.name for tree in bpy.data.node_groups] == ["Cook-Torrance Fast"]
+    assert materials.realisation_of(target.materials[0]) == "fast"
+
+
+def older(material):
+    """Make the material's group one of an older version, which lacked an input and reckoned otherwise."""
+    tree = materials.our_node(material).node_tree
+    tree.interface.remove(next(item for item in tree.interface.items_tree if item.name == "Gaussian c"))
+    tree[groups.VERSION_KEY] = 0
+    tree[groups.FINGERPRINT_KEY] = groups.fingerprint(tree)
+    return tree
+
+
+def test_nothing_is_outdated_in_a_file_of_this_version(enabled):
+    api.create_material(preset="copper", realisation="exact")
+    assert updates.outdated_groups() == []
+    assert not bpy.ops.facet_film.update.poll()
+
+
+@pytest.mark.parametrize("realisation", ("fast", "exact"))
+def test_an_older_file_is_updated_on_request(enabled, tmp_path, realisation):
+    material = api.create_material(preset="copper", realisation=realisation)
+    picture(material, tmp_path)
+    older(material)
+    material.use_fake_user = True
+    colour = material.node_tree.nodes.new("ShaderNodeRGB")
+    node = materials.our_node(material)
+    material.node_tree.links.new(colour.outputs[0], groups.socket_named(node, "Diffuse Color"))
+    groups.socket_named(node, "Slope 1").default_value = 0.33
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "older.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "older.blend"))
+
+    material = bpy.data.materials["Copper"]
+    assert [(group.found, group.now) for group in updates.outdated_groups()] == [(0, 1)]
+    assert bpy.ops.facet_film.update() == {"FINISHED"}
+    assert updates.outdated_groups() == []
+    assert materials.parameters_of(material).slopes[0][0] == pytest.approx(0.33)
+    node = materials.our_node(material)
+    assert groups.socket_named(node, "Diffuse Color").links[0].from_node.bl_idname == "ShaderNodeRGB"
+    outputs = [n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]
+    assert all(output.inputs[0].is_linked for output in outputs)
+    assert {tree.name for tree in bpy.data.node_groups} <= {"Cook-Torrance Exact", "Cook-Torrance Fast"}
+    picture(material, tmp_path)
+
+
+def test_groups_that_a_user_edited_stay(enabled):
+    material = api.create_material(preset="copper")
+    tree = older(material)
+    tree.nodes.new("ShaderNodeMath")
+    assert updates.update() == (0, [f"{tree.name} was edited by hand and stays as it is"])
+    assert materials.our_node(material).node_tree == tree
+
+
+def test_a_newer_version_is_left_alone(enabled):
+    material = api.create_material(preset="copper")
+    materials.our_node(material).node_tree[groups.VERSION_KEY] = 99
+    updated, (reason,) = updates.update()
+    assert updated == 0 and "newer Facet & Film" in reason
