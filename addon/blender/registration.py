@@ -2,9 +2,9 @@
 
 import bpy
 
-from . import (asset_library, bake_operator, check_operator, data_operators, material_panel, measurement_panel, node_menu,
-               node_sidebar, picker, preferences, realisation_operator, rebake_all_operator, settings, thumbnails,
-               updates, verify_operator)
+from . import (asset_library, bake_operator, check_operator, data_operators, material_panel, measurement_panel,
+               node_menu, node_sidebar, picker, preferences, realisation_operator, rebake_all_operator, settings,
+               thumbnails, updates, verify_operator)
 
 __all__ = ["register", "unregister"]
 

@@ -16,7 +16,9 @@ def traces():
         if not hasattr(cls, "bl_rna"):
             continue
         draw_functions = getattr(getattr(cls, "draw", None), "_draw_funcs", ())
-        seen |= {f"entry in {name}: {function.__module__}.{function.__qualname__}" for function in draw_functions}
+        # Blender lists its own drawing too, as soon as anyone adds to it.
+        seen |= {f"entry in {name}: {function.__module__}.{function.__qualname__}" for function in draw_functions
+                 if function.__module__.startswith("bl_ext.")}
         seen |= {f"property {name}.{key}" for key in cls.bl_rna.properties.keys()}
     for name in dir(bpy.app.handlers):
         handlers = getattr(bpy.app.handlers, name)

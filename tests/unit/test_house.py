@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from addon.layered_presets import PRESETS
+from addon.spectra import presets
+
 ROOT = Path(__file__).resolve().parents[2]
 
 NUMPY_ROOMS = ("addon/reflectance/", "addon/spectra/", "addon/bake/", "addon/export/")
@@ -106,6 +109,7 @@ def test_no_file_names_a_machine_or_a_registry():
 
 def test_data_is_written_by_hand_or_a_table_that_names_its_tool():
     data = [name for name in FILES if name.startswith("addon/") and not name.endswith((".py", ".osl"))]
+    data = [name for name in data if not name.startswith("addon/thumbnails/")]
     for name in data:
         if text_of(name):
             assert name.endswith(("presets.json", "names.json")), f"{name}: is it written by hand? Tables end in .table"
@@ -114,6 +118,13 @@ def test_data_is_written_by_hand_or_a_table_that_names_its_tool():
             about = json.loads(table.read("about.json"))
         assert about["tool"] in FILES
         assert about["source"] and about["version"] and about["licence"]
+
+
+def test_every_preset_has_a_preview_and_nothing_else_does():
+    previews = {Path(name).stem for name in FILES if name.startswith("addon/thumbnails/")}
+    groups = {name for name in previews if name.startswith("group ")}  # for the asset library
+    assert previews - groups == {*presets.names(), *PRESETS}
+    assert sum((ROOT / name).stat().st_size for name in FILES if name.startswith("addon/thumbnails/")) < 2_000_000
 
 
 def test_there_is_one_version():
