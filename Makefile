@@ -22,10 +22,11 @@ SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups
 SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test verify smoke matrix bench package assets test-window
+.PHONY: help setup demo figures test verify smoke matrix bench package assets test-window
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
+	@echo "make figures   every picture and plot of the documents; FIGURES=\"vases_6 watch\" makes only these"
 	@echo "make test      run the tests; make test BPY=5.2 (or 4.5, 5.0, 5.1) for another Blender"
 	@echo "make matrix    run the tests and the verification on Blender 4.5, 5.0, 5.1 and 5.2"
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
@@ -41,6 +42,11 @@ setup:
 
 demo: setup
 	$(RUN) -m demo_blend.vases --out out
+
+# The comparison of two Blenders runs on the newest one beside the default; without its Python it is left out and said so.
+figures: setup
+	-@$(MAKE) --no-print-directory setup BPY=5.2 VENV=.venv-5.2
+	$(RUN) -m demo_blend.figures --scenes out $$([ -x .venv-5.2/bin/python ] && echo --other .venv-5.2/bin/python) $(FIGURES)
 
 test: setup
 	$(RUN) -m pytest $(TESTS)

@@ -8,14 +8,17 @@ from contextlib import contextmanager
 
 import bpy
 
-__all__ = ["render_with_progress"]
+__all__ = ["render_with_progress", "blender_silent"]
 
 
-def render_with_progress(scene, path, title):
-    """Render the scene to `path`, showing how far it is; returns the seconds it took."""
+def render_with_progress(scene, path, title, shown=True):
+    """Render the scene to `path`, showing how far it is; returns the seconds it took.
+
+    shown  whether the last line names the file
+    """
     scene.render.filepath = str(path)
     begun = time.perf_counter()
-    with _blender_silent() as screen:
+    with blender_silent() as screen:
         def show(text, *_):
             found = re.search(r"Sample (\d+)/(\d+)", str(text))
             if found:
@@ -27,7 +30,7 @@ def render_with_progress(scene, path, title):
         finally:
             bpy.app.handlers.render_stats.remove(show)
         seconds = time.perf_counter() - begun
-        _line(screen, f"{title}: {seconds:.0f} s, {path}", end="\n")
+        _line(screen, f"{title}: {seconds:.0f} s" + (f", {path}" if shown else ""), end="\n")
     return seconds
 
 
@@ -41,7 +44,7 @@ def _line(screen, text, end=""):
 
 
 @contextmanager
-def _blender_silent():
+def blender_silent():
     """Blender writes its render log to the C library's stdout; send that to nowhere, and keep the screen."""
     sys.stdout.flush()
     saved = os.dup(1)

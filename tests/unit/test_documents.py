@@ -1,0 +1,39 @@
+"""What the documents link to is there, and what is generated is small and says where it is from."""
+
+import re
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
+PICTURES = sorted((ROOT / "docs" / "pictures").iterdir())
+LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)")
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
+def test_links_lead_somewhere(document):
+    for target in LINK.findall(document.read_text(encoding="utf-8")):
+        assert (document.parent / target).exists(), f"{document.name} links to {target}"
+
+
+def test_every_picture_is_shown():
+    shown = "".join(document.read_text(encoding="utf-8") for document in DOCUMENTS)
+    assert PICTURES
+    assert not [picture.name for picture in PICTURES if f"pictures/{picture.name}" not in shown]
+
+
+@pytest.mark.parametrize("picture", PICTURES, ids=lambda path: path.name)
+def test_pictures_name_their_generator_and_are_small(picture):
+    assert picture.stat().st_size <= 500_000
+    with Image.open(picture) as image:
+        note = image.info.get("Source") or image.info.get("comment", b"").decode()
+    generator = re.fullmatch(r"Made by (demo_blend/(\w+)\.py)", note)
+    assert generator, note
+    assert (ROOT / generator.group(1)).is_file()
+    assert picture.name.startswith(generator.group(2)), "a picture is named after its generator"
+
+
+def test_pictures_are_small_together():
+    assert sum(picture.stat().st_size for picture in PICTURES) < 12_000_000
