@@ -19,7 +19,7 @@ SHELF = (
 )
 """From the front row to the last: metals, alloys and compounds, others, layers."""
 
-METALS = ("gold", "bronze", "purple_gold", "titanium_nitride", "brass", "copper")
+METALS = ("gold", "bronze", "purple_gold", "titanium_nitride")
 
 FINIAL_PROFILE = (
     (0.00, 0.00), (0.40, 0.00), (0.43, 0.02), (0.43, 0.07), (0.40, 0.10), (0.27, 0.13), (0.20, 0.18), (0.18, 0.24),
@@ -86,7 +86,7 @@ def naive(job):
     """Metals baked over the whole spectrum, and below them by three wavelengths."""
     from addon import api
     from addon.bake import ways
-    scene = lit_scene(job, 170, 200, 24)
+    scene = lit_scene(job, 190, 220, 12)
     add_cove(scene, (0.16, 0.165, 0.175))
     add_camera(scene, (0.0, -5.6, 1.9), (0.0, 0.0, 0.76), 85.0)
     finial = turned_object("Finial", FINIAL_PROFILE, matt("none", 0.5))

@@ -34,12 +34,12 @@ def encode(linear):
 def labelled(picture, text, *, size=None):
     """The picture with lines of text on a strip below it; the first line is the stronger one."""
     rows, columns = picture.shape[:2]
-    size = size or max(11, columns // 28)
+    size = max(6, size or max(11, columns // 28))
     lines = text.split("\n")
     below = Image.new("RGB", (columns, int(size * (1.45 * len(lines) + 0.9))), PAPER)
     draw = ImageDraw.Draw(below)
     for j, line in enumerate(lines):
-        face = _font(line, size if j == 0 else int(size * 0.86), columns - size, bold=j == 0)
+        face = _font(line, size if j == 0 else max(6, int(size * 0.86)), columns - size, bold=j == 0)
         draw.text((columns / 2, size * (1.15 + 1.45 * j)), line, INK if j == 0 else (170, 172, 175),
                   font=face, anchor="mm")
     return np.concatenate([picture, np.asarray(below)], axis=0)
