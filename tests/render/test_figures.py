@@ -20,7 +20,9 @@ def test_unknown_figure_is_refused(capsys):
 
 
 def test_the_documents_pictures_are_the_figures():
-    assert {path.stem for path in SHOWN.iterdir()} == set(figures.all_figures())
+    modules = tuple(figures.MODULES)
+    shown = {path.stem for path in SHOWN.iterdir() if path.name.startswith(modules)}
+    assert shown == set(figures.all_figures())
 
 
 @pytest.mark.parametrize("name", [name for name in figures.all_figures() if name != "side_by_side_versions"])
