@@ -56,7 +56,7 @@ def test_snippets_on_own_data_run(tmp_path, monkeypatch):
 def commands(prefix):
     """Commands of the documents that begin so, indented or in backticks, with nothing left to fill in."""
     found = [command for text in DOCUMENTS.values()
-             for command in re.findall(rf"(?:^    |`)(python -m {prefix}[^`\n]*)", text, re.M)]
+             for command in re.findall(rf"(?:^    |`)(python -m {prefix}[ .][^`\n]+)", text, re.M)]
     return sorted(set(found) - {command for command in found if command.startswith(MINUTES)})
 
 
