@@ -9,6 +9,7 @@ from .materials import model_of, our_node, realisation_of
 from .picker import draw_card
 from .realisation_operator import shown_name, what_is_missing
 from .settings import chosen_preset, copy_viewing
+from .user_presets import draw_header
 
 __all__ = ["CLASSES", "LAST_CLASSES", "MaterialPanel", "attach", "detach", "draw_state"]
 
@@ -33,6 +34,10 @@ class FACET_FILM_PT_material(MaterialPanel, bpy.types.Panel):
     def poll(cls, context):
         """Shown for objects that take materials, and for a pinned material."""
         return context.material is not None or _takes_materials(context.object)
+
+    def draw_header_preset(self, _context):
+        """The materials that the user saved."""
+        draw_header(self.layout)
 
     def draw(self, context):
         """Choose a material, apply it; and how the one that is there renders."""

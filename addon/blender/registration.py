@@ -4,14 +4,14 @@ import bpy
 
 from . import (asset_library, bake_operator, check_operator, data_operators, material_panel, measurement_panel,
                node_menu, node_sidebar, picker, preferences, realisation_operator, rebake_all_operator, settings,
-               thumbnails, updates, verify_operator)
+               thumbnails, updates, user_presets, verify_operator)
 
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *data_operators.CLASSES,
-           *check_operator.CLASSES, *rebake_all_operator.CLASSES, *material_panel.CLASSES, *updates.CLASSES,
-           *measurement_panel.CLASSES, *material_panel.LAST_CLASSES, *asset_library.CLASSES, *node_menu.CLASSES,
-           *node_sidebar.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
+           *check_operator.CLASSES, *rebake_all_operator.CLASSES, *user_presets.CLASSES, *material_panel.CLASSES,
+           *updates.CLASSES, *measurement_panel.CLASSES, *material_panel.LAST_CLASSES, *asset_library.CLASSES,
+           *node_menu.CLASSES, *node_sidebar.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
 ATTACHED = (settings, material_panel, node_menu)
 COMMAND = "facet_film"
 _commands = []

@@ -144,3 +144,29 @@ def test_a_spread_of_a_preset_without_dataset_says_so():
     without = next(preset.name for preset in all_presets().values() if not preset.dataset)
     with pytest.raises(FacetFilmError, match="has no dataset"):
         spread(without)
+
+
+def test_presets_of_the_user_are_saved_applied_renamed_and_deleted(objects, tmp_path, monkeypatch):
+    monkeypatch.setattr(bpy.utils, "user_resource", lambda *_a, path="", **_k: str(_made(tmp_path / path)))
+    monkeypatch.setattr(bpy.utils, "preset_paths", lambda subdir: [str(_made(tmp_path / "presets" / subdir))])
+    bpy.ops.facet_film.bake_preset(preset="gold", realisation="exact")
+    kept = materials.parameters_of(objects[0].active_material)
+    assert bpy.ops.facet_film.save_user_preset(name="My gold") == {"FINISHED"}
+    bpy.ops.facet_film.bake_preset(preset="copper")
+    assert bpy.ops.facet_film.rename_user_preset(old="My gold", new="Ring") == {"FINISHED"}
+    file = tmp_path / "presets" / "facet_film" / "Ring.py"
+    assert bpy.ops.facet_film.apply_user_preset(filepath=str(file)) == {"FINISHED"}
+    material = objects[0].active_material
+    assert materials.parameters_of(material) == kept
+    assert materials.record_of(material)["name"] == "gold"
+    assert materials.realisation_of(material) == "exact"
+    bpy.ops.facet_film.save_user_preset(name="Ring", remove_name=True)
+    assert not file.exists()
+    file.write_text("no preset")
+    with pytest.raises(RuntimeError, match="no preset of Facet"):
+        bpy.ops.facet_film.apply_user_preset(filepath=str(file))
+
+
+def _made(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
