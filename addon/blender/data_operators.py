@@ -57,7 +57,7 @@ CSV and YAML; SOPRA and LuxPop .nk"""
     bl_idname = "facet_film.import_constants"
     bl_label = "Import Measurement"
 
-    filepath: bpy.props.StringProperty(subtype="FILE_PATH", description="File of optical constants")
+    filepath: bpy.props.StringProperty(name="File", subtype="FILE_PATH", description="File of optical constants")
     filter_glob: bpy.props.StringProperty(default="*.csv;*.txt;*.dat;*.tsv;*.yml;*.yaml;*.nk", options={"HIDDEN"})
     realisation: realisation_property()
 
@@ -92,7 +92,7 @@ class FACET_FILM_OT_export(bpy.types.Operator):
     bl_idname = "facet_film.export"
     bl_label = "Export Measurement"
 
-    filepath: bpy.props.StringProperty(subtype="FILE_PATH", description="File to write")
+    filepath: bpy.props.StringProperty(name="File", subtype="FILE_PATH", description="File to write")
     form: bpy.props.EnumProperty(name="Form", items=[item[:3] for item in FORMS], description="What to write")
 
     @classmethod

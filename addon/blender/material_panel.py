@@ -47,9 +47,9 @@ class FACET_FILM_PT_material(MaterialPanel, bpy.types.Panel):
         draw_state(layout, context, context.material)
 
 
-def draw_apply(layout, settings, text="Apply"):
+def draw_apply(layout, settings):
     """The button that does what the panel says."""
-    operator = layout.operator("facet_film.bake_preset", text=text, icon="SHADING_RENDERED")
+    operator = layout.operator("facet_film.bake_preset", text="Apply", icon="SHADING_RENDERED")
     operator.preset = chosen_preset(settings)
     operator.model = settings.model
     operator.realisation = settings.realisation
@@ -144,7 +144,7 @@ def draw_below_slots(self, context):
     settings = context.window_manager.facet_film
     row = self.layout.row(align=True)
     row.prop(settings, "layered_preset" if settings.model == "layered_rgb" else "preset", text="", icon="VIEWZOOM")
-    draw_apply(row, settings, "Apply")
+    draw_apply(row, settings)
 
 
 CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_parameters)

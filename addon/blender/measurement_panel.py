@@ -2,6 +2,7 @@
 
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_n as n_
 
 from .drawing import draw_facts, draw_sentence
 from .material_panel import MaterialPanel
@@ -59,14 +60,14 @@ def facts_of(record):
             iface_(gamut["method"].capitalize()), gamut["largest_change"])
     return (
         ("F0", _three(record["f0"])),
-        ("F82 Tint", _three(record["f82_tint"])),
-        ("Fit", iface_("CIEDE2000 at most {:.2f}").format(record["conductor"]["delta_e_2000_max"])),
-        ("Wavelengths", reach),
-        ("Light", f"{record['illuminant']}, {record['observer']}"),
-        ("Working Space", record["space"]),
-        ("Gamut", moved),
-        ("Dataset", source["dataset"]),
-        ("Citation", source["citation"]),
+        (n_("F82 Tint"), _three(record["f82_tint"])),
+        (n_("Fit"), iface_("CIEDE2000 at most {:.2f}").format(record["conductor"]["delta_e_2000_max"])),
+        (n_("Wavelengths"), reach),
+        (n_("Light"), f"{record['illuminant']}, {record['observer']}"),
+        (n_("Working Space"), record["space"]),
+        (n_("Gamut"), moved),
+        (n_("Dataset"), source["dataset"]),
+        (n_("Citation"), source["citation"]),
     )
 
 

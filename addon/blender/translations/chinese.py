@@ -1,0 +1,372 @@
+"""The interface's texts in Simplified Chinese."""
+
+__all__ = ["TEXTS"]
+
+TEXTS = {
+    "0° to 90°":
+        "0° 至 90°",
+    "; ends held":
+        "；两端保持不变",
+    "; outside the gamut, mapped by {:s}":
+        "；超出色域，映射方式：{:s}",
+    "A perfect reflector is neutral in any light, as for an eye that is used to it":
+        "理想反射体在任何光下都呈中性，如同已适应该光的眼睛",
+    "A preset, or a dataset of the database":
+        "预设，或数据库中的数据集",
+    "Adapt White":
+        "适应白点",
+    "Add Facet & Film Group":
+        "添加 Facet & Film 节点组",
+    "Add a node group of Facet & Film; one that the file has already is used again":
+        "添加 Facet & Film 节点组；文件中已有的会被复用",
+    "Alloys":
+        "合金",
+    "Apply":
+        "应用",
+    "Apply Saved Preset":
+        "应用已保存的预设",
+    "Apply a material of Facet & Film first: there is nothing to save":
+        "请先应用 Facet & Film 材质：没有可保存的内容",
+    "Apply to Node":
+        "应用到节点",
+    "As Cook and Torrance published them in 1982":
+        "依 Cook 与 Torrance 1982 年发表的数据",
+    "At 0°":
+        "0° 处",
+    "Bake Spectral Preset":
+        "烘焙光谱预设",
+    "Bake a material into the active material slot of the active object, and put it on the other selected ones":
+        "将材质烘焙到活动物体的活动材质槽，并赋予其他选中的物体",
+    "Bake a measured material first: there is nothing to bake again":
+        "请先烘焙实测材质：没有可重新烘焙的内容",
+    "Bake a preset first: this material is not one of Facet & Film":
+        "请先烘焙预设：此材质不属于 Facet & Film",
+    "Bake a preset into the selected group node; what is plugged into it stays":
+        "将预设烘焙到选中的组节点；已有连线保留",
+    "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
+        "按上方选择的光源与工作空间重新烘焙此文件的所有实测材质。按 Esc 停止，且不作任何更改",
+    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
+        "从文件烘焙光学常数：波长、n、k 或波长、R 的 CSV 或文本；refractiveindex.info 的 CSV 与 YAML；SOPRA 与 LuxPop 的 .nk",
+    "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
+        "从剪贴板烘焙光学常数：波长、n、k 或波长、R 的表格",
+    "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
+        "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
+    "Baking {:s}, {:d} more   (Esc stops)":
+        "正在烘焙 {:s}，还剩 {:d} 个   （按 Esc 停止）",
+    "CIE standard observer":
+        "CIE 标准观察者",
+    "CIEDE2000 at most {:.2f}":
+        "CIEDE2000 最大 {:.2f}",
+    "CSV of the Curve":
+        "曲线的 CSV",
+    "CSV of the Spectrum":
+        "光谱的 CSV",
+    "Check":
+        "核对",
+    "Check Against a Measurement":
+        "与测量值核对",
+    "Citation":
+        "引文",
+    "Clip":
+        "裁剪",
+    "Colour of a preset's mirror over the angle, for any shader":
+        "预设的镜面颜色随角度变化，可用于任意着色器",
+    "Colour over angle: cos_theta, r, g, b":
+        "颜色随角度变化：cos_theta, r, g, b",
+    "Compare Measurements":
+        "比较测量值",
+    "Cook–Torrance Exact":
+        "Cook–Torrance 精确",
+    "Cook–Torrance Fast":
+        "Cook–Torrance 快速",
+    "Cook–Torrance OSL":
+        "Cook–Torrance OSL",
+    "Crystals":
+        "晶体",
+    "Cut every channel off at 0 and 1":
+        "将每个通道截断在 0 与 1",
+    "Darken all colours of the material alike, until the largest channel fits":
+        "将材质的所有颜色等比变暗，直到最大通道符合范围",
+    "Data":
+        "数据",
+    "Dataset":
+        "数据集",
+    "Desaturate":
+        "降低饱和度",
+    "Device":
+        "设备",
+    "Does this Blender render the published formulas? Find out on this machine:":
+        "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
+    "Edge Tint":
+        "边缘色调",
+    "Everything that was baked":
+        "烘焙的全部内容",
+    "Exact":
+        "精确",
+    "Export Measurement":
+        "导出测量数据",
+    "Extinction for red, green and blue":
+        "红、绿、蓝的消光系数",
+    "F0 and Edge Tint":
+        "F0 与边缘色调",
+    "F82 Tint":
+        "F82 色调",
+    "F82 tint":
+        "F82 色调",
+    "Facet & Film Presets":
+        "Facet & Film 预设",
+    "Facets with native closures; also in EEVEE":
+        "使用原生闭包的微面；也可用于 EEVEE",
+    "Facets with rms slope m, conductor Fresnel, diffuse part (1982)":
+        "均方根斜率为 m 的微面、导体菲涅耳与漫射部分（1982）",
+    "Fast":
+        "快速",
+    "File":
+        "文件",
+    "File of optical constants":
+        "光学常数文件",
+    "File to write":
+        "要写入的文件",
+    "File's Working Space":
+        "文件的工作空间",
+    "Fit":
+        "拟合",
+    "Form":
+        "格式",
+    "Fresnel Ramp":
+        "菲涅耳渐变",
+    "Gamut":
+        "色域",
+    "Give a preset that you saved another name":
+        "为已保存的预设改名",
+    "Glasses":
+        "玻璃",
+    "Group":
+        "组",
+    "How the formula becomes a Cycles material":
+        "公式如何成为 Cycles 材质",
+    "Illuminant":
+        "光源",
+    "Import Measurement":
+        "导入测量数据",
+    "Inside, unchanged":
+        "在色域内，未改变",
+    "Interference and colour separation in a thin layer (Granier and Heidrich)":
+        "薄层中的干涉与色散（Granier 与 Heidrich）",
+    "Keep colours outside of the gamut":
+        "保留色域外的颜色",
+    "Kind":
+        "类别",
+    "Large fields of view":
+        "大视场",
+    "Layer Thickness":
+        "层厚度",
+    "Layered RGB Exact":
+        "Layered RGB 精确",
+    "Layered RGB Fast":
+        "Layered RGB 快速",
+    "Layered RGB OSL":
+        "Layered RGB OSL",
+    "Leave":
+        "保留",
+    "Left out, as they take no materials or are linked: {:s}":
+        "已略过（不接受材质或为链接数据）：{:s}",
+    "Light":
+        "光",
+    "Light and Gamut":
+        "光源与色域",
+    "Light in which the material has its colour; D65 is daylight, and white in Blender":
+        "决定材质颜色的光；D65 是日光，在 Blender 中为白色",
+    "Linear Rec.709, Blender's default":
+        "线性 Rec.709，Blender 的默认值",
+    "Liquids":
+        "液体",
+    "Make the active material slot the material that you saved":
+        "将活动材质槽设为已保存的材质",
+    "Material":
+        "材质",
+    "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
+        "材质：预设名称，或数据集如 main/Cu/Johnson。输入即可搜索",
+    "Measured Material":
+        "实测材质",
+    "Measurement":
+        "测量",
+    "Metals":
+        "金属",
+    "Model":
+        "模型",
+    "Name a saved preset, and a new name with at least one letter":
+        "请指定已保存的预设和至少含一个字母的新名称",
+    "Native closures from an OSL script: needs Open Shading Language switched on":
+        "OSL 脚本中的原生闭包：需启用开放着色语言",
+    "Native closures: light-sampled, on every device, and in EEVEE":
+        "原生闭包：支持光源采样、所有设备以及 EEVEE",
+    "New Name":
+        "新名称",
+    "OSL Fast":
+        "OSL 快速",
+    "OSL needs the CPU or OptiX: change the device, or take Exact":
+        "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
+    "Observer":
+        "观察者",
+    "Open a material in the Shader Editor first":
+        "请先在着色器编辑器中打开材质",
+    "Other Conductors":
+        "其他导体",
+    "Outside: {:s}, channels moved by up to {:.3f}":
+        "色域外：{:s}，通道最多改变 {:.3f}",
+    "Oxides":
+        "氧化物",
+    "Parameters":
+        "参数",
+    "Paste Measurement":
+        "粘贴测量数据",
+    "Polymers":
+        "聚合物",
+    "Preset":
+        "预设",
+    "Preset by its picture; the filter beside the name chooses the kind":
+        "按图片选择预设；名称旁的过滤器选择类别",
+    "Preset or dataset":
+        "预设或数据集",
+    "Preset or dataset to compare":
+        "要比较的预设或数据集",
+    "Preset or dataset to compare with":
+        "用于比较的预设或数据集",
+    "Presets":
+        "预设",
+    "Re-bake":
+        "重新烘焙",
+    "Re-bake All Materials":
+        "重新烘焙所有材质",
+    "Realisation":
+        "实现方式",
+    "Reflectance at normal incidence":
+        "正入射反射率",
+    "Reflectance at normal incidence and F82 tint for red, green and blue":
+        "红、绿、蓝的正入射反射率与 F82 色调",
+    "Reflectance model":
+        "反射模型",
+    "Refractive index and extinction for red, green and blue":
+        "红、绿、蓝的折射率与消光系数",
+    "Refractive index for red, green and blue":
+        "红、绿、蓝的折射率",
+    "Rename Preset":
+        "重命名预设",
+    "Render every model and realisation in a second Blender, compare the pixels with the published formulas, and open the report. Takes one to five minutes; Esc stops it":
+        "在另一个 Blender 中渲染所有模型与实现方式，将像素与已发表的公式比较并打开报告。需一至五分钟；按 Esc 停止",
+    "Render this material by another realisation; every value and link that you set stays":
+        "以另一种实现方式渲染此材质；所有数值与连线保留",
+    "Renders by {:s}":
+        "渲染方式：{:s}",
+    "Save Preset":
+        "保存预设",
+    "Save the active material under a name of your own, or delete a saved one":
+        "以自定义名称保存活动材质，或删除已保存的材质",
+    "Scale":
+        "缩放",
+    "Scene-linear space that the colours are written in":
+        "写入颜色所用的场景线性空间",
+    "Select a group node of Facet & Film first":
+        "请先选择 Facet & Film 组节点",
+    "Select a group of Facet & Film, or add one: Add, Facet & Film":
+        "请选择 Facet & Film 节点组，或添加：添加，Facet & Film",
+    "Select an object first: the preset is baked into its active material slot":
+        "请先选择物体：预设将烘焙到其活动材质槽",
+    "Semiconductors":
+        "半导体",
+    "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
+        "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
+    "Show all measurements of the same material side by side: published values differ from lab to lab":
+        "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
+    "Small fields of view; what displays are calibrated for":
+        "小视场；显示器据此校准",
+    "Stopped: no material was changed":
+        "已停止：没有材质被更改",
+    "Sulphides":
+        "硫化物",
+    "Switch Realisation":
+        "切换实现方式",
+    "The Paper's Figures":
+        "论文中的图",
+    "The devices that are switched on under System, Cycles Render Devices":
+        "在“系统”的“Cycles 渲染设备”中启用的设备",
+    "The measured points: wavelength_nm, n, k":
+        "测量点：wavelength_nm, n, k",
+    "The preset to rename":
+        "要重命名的预设",
+    "The processor":
+        "处理器",
+    "The published formula as an OSL script":
+        "以 OSL 脚本表示的已发表公式",
+    "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
+        "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
+    "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
+        "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
+    "The published formula, nodes alone":
+        "已发表的公式，仅用节点",
+    "The scene-linear space of this file":
+        "此文件的场景线性空间",
+    "There is a preset called {:s} already":
+        "已有名为 {:s} 的预设",
+    "Thickness in nanometres that varies over the surface, with its lower normal":
+        "随表面变化的厚度（纳米）及其下层法线",
+    "Thin layer with native closures; also in EEVEE":
+        "使用原生闭包的薄层；也可用于 EEVEE",
+    "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
+        "此引擎以“快速”代替：要使用此实现方式，请在渲染属性中选择 Cycles",
+    "This file has no material with a measurement: bake a preset first":
+        "此文件没有带测量数据的材质：请先烘焙预设",
+    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
+        "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
+    "Towards grey of the same luminance, until inside: the hue stays":
+        "朝相同亮度的灰色移动，直到进入色域：色相不变",
+    "Verify Against the Formulas":
+        "对照公式验证",
+    "Verify on CPU":
+        "在 CPU 上验证",
+    "Verify on GPU":
+        "在 GPU 上验证",
+    "Wavelengths":
+        "波长",
+    "What to call it":
+        "新的叫法",
+    "What to compare":
+        "比较的内容",
+    "What to do with colours that the working space cannot hold":
+        "如何处理工作空间无法容纳的颜色",
+    "What to render the probes on":
+        "用于渲染测试样本的设备",
+    "What to write":
+        "写入的内容",
+    "Which group to add":
+        "要添加的组",
+    "Which presets to show pictures of":
+        "显示哪些预设的图片",
+    "Workbench shows the viewport colour only: choose Cycles in the Render properties":
+        "Workbench 只显示视图颜色：请在渲染属性中选择 Cycles",
+    "Working Space":
+        "工作空间",
+    "Write what was baked into the active material as JSON, CSV or MaterialX":
+        "将烘焙到活动材质的内容写为 JSON、CSV 或 MaterialX",
+    "Wrote {:s}":
+        "已写入 {:s}",
+    "You have saved no preset yet":
+        "尚未保存任何预设",
+    "n and k":
+        "n 与 k",
+    "{:d} materials baked again":
+        "已重新烘焙 {:d} 个材质",
+    "{:s} applied":
+        "已应用 {:s}",
+    "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
+        "{:s} 已由 {:s} 烘焙：拟合的最大 CIEDE2000 为 {:.2f}",
+    "{:s} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
+        "{:s} 是库重写，其节点与槽属于另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{:s} is linked from another file: make it local first (Object, Relations, Make Local)":
+        "{:s} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{:s} renders by {:s}":
+        "{:s} 的渲染方式：{:s}",
+    "{:s} takes no materials: select a mesh, curve, surface, text or volume":
+        "{:s} 不接受材质：请选择网格、曲线、曲面、文本或体积",
+}
