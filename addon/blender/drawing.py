@@ -30,7 +30,7 @@ def draw_facts(layout, facts, region=None):
     """Names on the left, values on the right; long values in several lines."""
     column = layout.column(align=True)
     for name, value in facts:
-        lines = textwrap.wrap(value, max(16, int(_letters(region) * 0.65))) or [""]
+        lines = textwrap.wrap(value, max(20, int(_letters(region) * 0.65))) or [""]
         for number, line in enumerate(lines):
             row = column.split(factor=0.33)
             left = row.row()

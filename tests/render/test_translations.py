@@ -74,7 +74,7 @@ def test_every_text_is_translated(texts, language):
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_translation_is_left_over_or_loses_a_value(texts, language):
-    assert not set(LANGUAGES[language]) - texts
+    assert sorted(set(LANGUAGES[language]) - texts) == []
     for text, translated in LANGUAGES[language].items():
         assert translated.strip(), text
         assert sorted(re.findall(r"\{.*?\}", text)) == sorted(re.findall(r"\{.*?\}", translated)), text
