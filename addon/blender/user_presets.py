@@ -57,7 +57,7 @@ def _tuples(value):
 class FACET_FILM_PT_presets(PresetPanel, bpy.types.Panel):
     """Materials that you saved"""
 
-    bl_label = "Facet & Film Presets"
+    bl_label = "Presets"
     preset_subdir = FOLDER
     preset_operator = "facet_film.apply_user_preset"
     preset_add_operator = "facet_film.save_user_preset"

@@ -15,12 +15,18 @@ TEXTS = {
         "预设，或数据库中的数据集",
     "Adapt White":
         "适应白点",
+    "Add Asset Library":
+        "添加资产库",
     "Add Facet & Film Group":
         "添加 Facet & Film 节点组",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "添加 Facet & Film 节点组；文件中已有的会被复用",
+    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
+        "将材质与节点组作为库添加到资产浏览器（偏好设置，文件路径）",
     "Alloys":
         "合金",
+    "Another Version":
+        "其他版本",
     "Apply":
         "应用",
     "Apply Saved Preset":
@@ -31,6 +37,8 @@ TEXTS = {
         "应用到节点",
     "As Cook and Torrance published them in 1982":
         "依 Cook 与 Torrance 1982 年发表的数据",
+    "Asset Library":
+        "资产库",
     "At 0°":
         "0° 处",
     "Bake Spectral Preset":
@@ -53,6 +61,8 @@ TEXTS = {
         "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
     "Baking {:s}, {:d} more   (Esc stops)":
         "正在烘焙 {:s}，还剩 {:d} 个   （按 Esc 停止）",
+    "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
+        "将此文件中由旧版 Facet & Film 创建的材质更新；所有数值与连线保留",
     "CIE standard observer":
         "CIE 标准观察者",
     "CIEDE2000 at most {:.2f}":
@@ -113,8 +123,6 @@ TEXTS = {
         "F82 色调",
     "F82 tint":
         "F82 色调",
-    "Facet & Film Presets":
-        "Facet & Film 预设",
     "Facets with native closures; also in EEVEE":
         "使用原生闭包的微面；也可用于 EEVEE",
     "Facets with rms slope m, conductor Fresnel, diffuse part (1982)":
@@ -149,6 +157,8 @@ TEXTS = {
         "光源",
     "Import Measurement":
         "导入测量数据",
+    "In the Asset Browser as Facet & Film":
+        "在资产浏览器中名为 Facet & Film",
     "Inside, unchanged":
         "在色域内，未改变",
     "Interference and colour separation in a thin layer (Granier and Heidrich)":
@@ -251,6 +261,8 @@ TEXTS = {
         "红、绿、蓝的折射率与消光系数",
     "Refractive index for red, green and blue":
         "红、绿、蓝的折射率",
+    "Remove Asset Library":
+        "移除资产库",
     "Rename Preset":
         "重命名预设",
     "Render every model and realisation in a second Blender, compare the pixels with the published formulas, and open the report. Takes one to five minutes; Esc stops it":
@@ -287,6 +299,8 @@ TEXTS = {
         "硫化物",
     "Switch Realisation":
         "切换实现方式",
+    "Take the library off the Asset Browser again; what was dragged from it stays":
+        "将该库从资产浏览器移除；已拖入的内容保留",
     "The Paper's Figures":
         "论文中的图",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -321,6 +335,8 @@ TEXTS = {
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Towards grey of the same luminance, until inside: the hue stays":
         "朝相同亮度的灰色移动，直到进入色域：色相不变",
+    "Update Materials":
+        "更新材质",
     "Verify Against the Formulas":
         "对照公式验证",
     "Verify on CPU":

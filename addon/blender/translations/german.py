@@ -15,12 +15,18 @@ TEXTS = {
         "Eine Voreinstellung oder ein Datensatz der Datenbank",
     "Adapt White":
         "Weiß anpassen",
+    "Add Asset Library":
+        "Asset-Bibliothek hinzufügen",
     "Add Facet & Film Group":
         "Gruppe von Facet & Film hinzufügen",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
+    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
+        "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
     "Alloys":
         "Legierungen",
+    "Another Version":
+        "Andere Version",
     "Apply":
         "Anwenden",
     "Apply Saved Preset":
@@ -31,6 +37,8 @@ TEXTS = {
         "Auf Node anwenden",
     "As Cook and Torrance published them in 1982":
         "Wie von Cook und Torrance 1982 veröffentlicht",
+    "Asset Library":
+        "Asset-Bibliothek",
     "At 0°":
         "Bei 0°",
     "Bake Spectral Preset":
@@ -53,6 +61,8 @@ TEXTS = {
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
         "Backt {:s}, noch {:d}   (Esc bricht ab)",
+    "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
+        "Bringt Materialien dieser Datei von einem älteren Facet & Film auf den neuen Stand; alle Werte und Verbindungen bleiben",
     "CIE standard observer":
         "CIE-Normalbeobachter",
     "CIEDE2000 at most {:.2f}":
@@ -113,8 +123,6 @@ TEXTS = {
         "F82-Tönung",
     "F82 tint":
         "F82-Tönung",
-    "Facet & Film Presets":
-        "Voreinstellungen von Facet & Film",
     "Facets with native closures; also in EEVEE":
         "Facetten mit eingebauten Shadern; auch in EEVEE",
     "Facets with rms slope m, conductor Fresnel, diffuse part (1982)":
@@ -149,6 +157,8 @@ TEXTS = {
         "Lichtart",
     "Import Measurement":
         "Messung importieren",
+    "In the Asset Browser as Facet & Film":
+        "Im Asset-Browser als Facet & Film",
     "Inside, unchanged":
         "Innerhalb, unverändert",
     "Interference and colour separation in a thin layer (Granier and Heidrich)":
@@ -251,6 +261,8 @@ TEXTS = {
         "Brechungsindex und Extinktion für Rot, Grün und Blau",
     "Refractive index for red, green and blue":
         "Brechungsindex für Rot, Grün und Blau",
+    "Remove Asset Library":
+        "Asset-Bibliothek entfernen",
     "Rename Preset":
         "Voreinstellung umbenennen",
     "Render every model and realisation in a second Blender, compare the pixels with the published formulas, and open the report. Takes one to five minutes; Esc stops it":
@@ -287,6 +299,8 @@ TEXTS = {
         "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
+    "Take the library off the Asset Browser again; what was dragged from it stays":
+        "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "The Paper's Figures":
         "Abbildungen der Veröffentlichung",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -321,6 +335,8 @@ TEXTS = {
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Towards grey of the same luminance, until inside: the hue stays":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
+    "Update Materials":
+        "Materialien aktualisieren",
     "Verify Against the Formulas":
         "Mit den Formeln prüfen",
     "Verify on CPU":
