@@ -4,10 +4,8 @@
 # BPY=     the Blender to run on, 4.5 and 5.0 on Python 3.11, 5.1 and 5.2 on Python 3.13 (default: by Python)
 # VENV=    the virtual environment (default: .venv, with BPY=5.2 .venv-5.2)
 # TESTS=   what "make test" runs
-# BLENDER= the Blender whose window "make test-window" opens, or a script that starts one (default: blender)
 
 PYTHON ?=
-BLENDER ?= blender
 BPY ?=
 empty :=
 space := $(empty) $(empty)
@@ -22,7 +20,7 @@ SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups
 SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo figures test verify smoke matrix bench package assets test-window
+.PHONY: help setup demo figures test verify smoke matrix bench package assets
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
@@ -31,7 +29,6 @@ help:
 	@echo "make matrix    run the tests and the verification on Blender 4.5, 5.0, 5.1 and 5.2"
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make bench     measure time, noise and sizes, write out/bench.json and docs/benchmarks.md"
-	@echo "make test-window BLENDER=blender  the zip in a real Blender with a window: clicks, undo, pictures, timings"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
 	@echo "make assets    build node groups, previews, asset library and catalogue (on Blender 4.5)"
 	@echo "make setup     only make the environment that the others use ($(VENV))"
@@ -63,9 +60,6 @@ verify: setup
 
 bench: setup
 	$(RUN) -m tests.bench.bench
-
-test-window: setup
-	$(RUN) tests/window/run.py --blender "$(BLENDER)"
 
 package: setup
 	$(RUN) tools/package.py --out dist
