@@ -6,7 +6,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ..errors import FacetFilmError
 from .bake_operator import why_locked
 from .groups import node_group
-from .settings import chosen_preset, preset_property
+from .settings import chosen_preset, preset_property, search_measured
 
 __all__ = ["CLASSES", "attach", "detach"]
 
@@ -31,7 +31,7 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     group: bpy.props.EnumProperty(name="Group", items=GROUP_ITEMS, description="Which group to add")
-    preset: preset_property(lambda _self, _context, text: _measured(text))
+    preset: preset_property(search_measured)
 
     @classmethod
     def poll(cls, context):
@@ -74,11 +74,6 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
         node.select = True
         space.edit_tree.nodes.active = node
         return {"FINISHED"}
-
-
-def _measured(text):
-    from .picker import search
-    return search("cook_torrance", text)
 
 
 class FACET_FILM_MT_add(bpy.types.Menu):

@@ -7,7 +7,7 @@ import bpy
 from . import picker
 
 __all__ = ["CLASSES", "MODEL_ITEMS", "REALISATION_ITEMS", "Viewing", "attach", "chosen_preset", "copy_viewing", "detach",
-           "preset_property", "realisation_property", "viewing_of"]
+           "preset_property", "realisation_property", "search_measured", "viewing_of"]
 
 MODEL_ITEMS = (
     ("cook_torrance", "Cook–Torrance", "Facets with rms slope m, conductor Fresnel, diffuse part (1982)"),
@@ -39,22 +39,41 @@ GAMUT_ITEMS = (
 SAME_AS_FILE = "FILE"
 
 
+BETWEEN = " · "
+"""Between a name and its title in a list: Blender lists only what holds the words that were typed."""
+
+
+def _listed(model, text):
+    return [f"{name}{BETWEEN}{title}" for name, title in picker.search(model, text)]
+
+
 def _search(settings, _context, text):
-    return picker.search(settings.model, text)
+    return _listed(settings.model, text)
 
 
-def _search_measured(_settings, _context, text):
-    return picker.search("cook_torrance", text)
+def search_measured(_settings, _context, text):
+    """What a text property lists while one types: presets and datasets with their titles."""
+    return _listed("cook_torrance", text)
 
 
 def _search_layered(_settings, _context, text):
-    return picker.search("layered_rgb", text)
+    return _listed("layered_rgb", text)
 
 
-def preset_property(search=_search, default="copper"):
+def _drop_title(attribute):
+    """Keep the name alone of what was chosen from the list."""
+    def update(properties, _context):
+        chosen = getattr(properties, attribute)
+        if BETWEEN in chosen:
+            setattr(properties, attribute, chosen.split(BETWEEN)[0])
+    return update
+
+
+def preset_property(search=_search, default="copper", attribute="preset"):
     """A text property that offers presets and datasets while one types."""
     return bpy.props.StringProperty(
         name="Preset", default=default, search=search, search_options={"SUGGESTION"},
+        update=_drop_title(attribute),
         description="Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search")
 
 
@@ -122,8 +141,8 @@ def _thumbnails_of(model, attribute):
 class FacetFilmSettings(Viewing, bpy.types.PropertyGroup):
     """Choices of the Facet & Film panels."""
 
-    preset: preset_property(_search_measured)
-    layered_preset: preset_property(_search_layered, "nacre")
+    preset: preset_property(search_measured)
+    layered_preset: preset_property(_search_layered, "nacre", "layered_preset")
     thumbnail: _thumbnails_of("cook_torrance", "preset")
     layered_thumbnail: _thumbnails_of("layered_rgb", "layered_preset")
     kind: bpy.props.EnumProperty(name="Kind", items=picker.KIND_ITEMS, description="Which presets to show pictures of")

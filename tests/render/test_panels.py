@@ -50,6 +50,8 @@ def test_every_kind_of_preset_can_be_picked():
 def test_search_finds_presets_and_datasets(objects):
     assert picker.search("cook_torrance", "gold babar")[:2] == [("gold", "Gold"), ("main/Au/Babar", picker.search(
         "cook_torrance", "gold babar")[1][1])]
+    settings().preset = "main/Au/Babar · Gold"
+    assert settings().preset == "main/Au/Babar"
     assert picker.search("layered_rgb", "soap") == [("soap film", "Soap film")]
 
 
