@@ -142,6 +142,49 @@ def test_killed_in_the_middle_of_an_export(extension, tmp_path, after):
         assert text == one * 200 and json.loads(one)["name"] == path.stem
 
 
+BAKE_ALL = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import bpy
+from addon import api
+from addon.spectra.presets import names
+for number, name in enumerate(names()):
+    api.create_material(preset=name).use_fake_user = True
+    if number % 3 == 0:
+        bpy.ops.wm.save_as_mainfile(filepath=sys.argv[2], compress=False)
+        print("saved", flush=True)
+"""
+
+OPEN = """
+import sys
+import bpy
+bpy.ops.wm.open_mainfile(filepath=sys.argv[1])
+assert len(bpy.data.materials) >= 1
+print("materials", len(bpy.data.materials))
+"""
+
+
+@pytest.mark.parametrize("after", [0.0, 0.05])
+def test_killed_during_a_bake_of_all(extension, tmp_path, after):
+    """The file that was saved before opens, with what was baked until then."""
+    target = tmp_path / "all.blend"
+    process = subprocess.Popen([sys.executable, "-P", "-c", BAKE_ALL, extension, target], stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL, text=True)
+    saved = 0
+    for line in process.stdout:
+        saved += line.strip() == "saved"
+        if saved == 3:
+            break
+    assert saved == 3
+    time.sleep(after)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    opened = subprocess.run([sys.executable, "-P", "-c", OPEN, target], capture_output=True, text=True)
+    assert opened.returncode == 0, opened.stderr[-2000:]
+    found = int(re.search(r"^materials (\d+)$", opened.stdout, re.MULTILINE).group(1))
+    assert found >= 7
+
+
 FULL_DISK = """
 import resource, signal, sys
 from pathlib import Path
