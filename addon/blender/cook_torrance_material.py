@@ -57,11 +57,14 @@ def read(node):
 
 
 def show_in_viewport(material, parameters):
-    """Colour and gloss for the Solid viewport: normal reflectance and diffuse, by their shares."""
+    """Colour and gloss for the Solid viewport: normal reflectance and diffuse, by their shares.
+
+    Not metallic: there is nothing for a metal to mirror there, and it would be dark.
+    """
     from ..reflectance.fresnel import conductor
     s = parameters.specular
     colour = [s * float(conductor(1.0, n, k)) + (1.0 - s) * diffuse
               for n, k, diffuse in zip(parameters.n, parameters.k, parameters.diffuse)]
     material.diffuse_color = (*colour, 1.0)
-    material.metallic = s
+    material.metallic = 0.0
     material.roughness = parameters.slopes[0][0] ** 0.5

@@ -45,8 +45,10 @@ def switch(material, realisation, *, by_f82=False):
 
 def rebake(material, parameters, record):
     """Write parameters and record of a new bake into one of our materials."""
-    MODELS[model_of(material)].write(our_node(material), parameters)
+    module = MODELS[model_of(material)]
+    module.write(our_node(material), parameters)
     material[RECORD_KEY] = json.dumps(record)
+    module.show_in_viewport(material, parameters)
 
 
 def exchange_group(tree, node, group):
