@@ -75,11 +75,17 @@ def gallery(job):
         for c, name in enumerate(names):
             finial = turned_object(name, FINIAL_PROFILE, _material(name), segments=128)
             finial.location = (STEP[0] * (c - 0.5 * (len(names) - 1) + (0.25, -0.25)[r % 2]), y, z)
-            places.append((name.replace("_", " "), finial.location + Vector((0.0, -0.62, -0.16))))
+            places.append((name.replace("_", " "), finial.location.copy()))
     bpy.context.view_layer.update()
-    labels = [(name, *world_to_camera_view(scene, camera, place)[:2]) for name, place in places]
+    labels = [(name, *below(scene, camera, place)) for name, place in places]
     job.write(annotated(job.render(scene, "gallery"), labels, size=12 * job.scale), "gallery.jpg")
     job.save_scene("gallery")
+
+
+def below(scene, camera, place):
+    """Where in the picture a label stands under what stands at this place: its middle, and below its foot."""
+    foot = place + Vector((0.0, -0.62, -0.16))
+    return world_to_camera_view(scene, camera, place)[0], world_to_camera_view(scene, camera, foot)[1]
 
 
 def naive(job):

@@ -36,7 +36,7 @@ INTRODUCTION = """\
 in the panel; so do the other names. Beyond these, every dataset of refractiveindex.info that covers the visible can
 be baked by its id, such as `main/Cu/Johnson`: `python -m addon search TEXT` finds them.
 
-- **Colour** is the mirror's at normal incidence, as sRGB, brought into the gamut where it lies outside (marked \\*).
+- **Colour** shows the preset on a ball in a studio, and is the mirror's at normal incidence, as sRGB, brought into the gamut where it lies outside (marked \\*).
 - **F0** and **F82 tint** are linear Rec.709 in D65 for the 2° observer, before that.
 - **s** is the specular fraction (the diffuse one is d = 1 − s); **m** the rms slope, with each one's share where
   there are several. Those of the paper's figures are the paper's; all others are chosen to look like the material
@@ -74,9 +74,14 @@ def row(preset, bake, citations):
     data = [f"`{preset.dataset}` [{citations.index(bake.source.citation) + 1}]." if preset.dataset else "",
             preset.note, preset.estimated and "*Estimated:* " + preset.estimated.removeprefix("Estimated: ")]
     return (f"`{preset.name}`", ", ".join(dict.fromkeys([preset.title, *preset.aliases])),
-            f"`{swatch(bake.normal_rgb)}`" + ("\\*" if bake.gamut.outside else ""),
+            f"{picture(preset.name)} `{swatch(bake.normal_rgb)}`" + ("\\*" if bake.gamut.outside else ""),
             numbers(bake.f0, 3), numbers(bake.f82_tint, 2), f"{preset.specular:g}", slopes,
             f"{bake.conductor.delta_e_2000_max:.2f}", " ".join(filter(None, data)))
+
+
+def picture(name):
+    """The preset's thumbnail, seen from docs/."""
+    return f'<img src="../addon/thumbnails/{name}.png" width="40" alt="{name}">'
 
 
 def numbers(values, digits):
