@@ -35,6 +35,7 @@ def measure(runs):
     """Milliseconds of each run; the first one is cold."""
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "BLENDER_USER_RESOURCES": str(Path(folder) / "profile")}
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)  # Blender itself keeps what it compiled
         Path(environment["BLENDER_USER_RESOURCES"]).mkdir()
         package = build(folder)
 
