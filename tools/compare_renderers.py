@@ -1,6 +1,6 @@
 """Hold Cycles with our baked metals, and with the ways people have without us, against Mitsuba's spectral spheres.
 
-    python -m tools.compare_renderers [--out docs/against_others.md]
+    python -m tools.compare_renderers
 
 Reads tests/data/mitsuba_spheres.npz (tools/mitsuba_spheres.py renders it) and prints a table of CIEDE2000.
 """
