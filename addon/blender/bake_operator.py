@@ -11,7 +11,7 @@ from .materials import model_of, record_of
 from .settings import (MODEL_ITEMS, Viewing, chosen_preset, copy_viewing, preset_property, realisation_property,
                        viewing_of)
 
-__all__ = ["CLASSES", "PanelSettings", "active_material", "is_editable", "put_on_selected", "said_of",
+__all__ = ["CLASSES", "OnActiveObject", "PanelSettings", "active_material", "is_editable", "put_on_selected", "said_of",
            "target_material", "why_locked", "why_not"]
 
 
@@ -30,7 +30,19 @@ class PanelSettings:
         return self
 
 
-class FACET_FILM_OT_bake_preset(PanelSettings, Viewing, bpy.types.Operator):
+class OnActiveObject:
+    """For operators that bake onto the active object."""
+
+    @classmethod
+    def poll(cls, context):
+        """Needs an active object of this file that takes materials."""
+        reason = why_not(context)
+        if reason:
+            cls.poll_message_set(reason)
+        return not reason
+
+
+class FACET_FILM_OT_bake_preset(OnActiveObject, PanelSettings, Viewing, bpy.types.Operator):
     """Bake a material into the active material slot of the active object, and put it on the other selected ones"""
 
     bl_idname = "facet_film.bake_preset"
@@ -40,14 +52,6 @@ class FACET_FILM_OT_bake_preset(PanelSettings, Viewing, bpy.types.Operator):
     preset: preset_property()
     model: bpy.props.EnumProperty(name="Model", items=MODEL_ITEMS, description="Reflectance model")
     realisation: realisation_property()
-
-    @classmethod
-    def poll(cls, context):
-        """Needs an active object of this file that takes materials."""
-        reason = why_not(context)
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
 
     def execute(self, context):
         """Bake, and put the material in the slots."""

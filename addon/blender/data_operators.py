@@ -4,7 +4,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
-from .bake_operator import PanelSettings, put_on_selected, said_of, target_material, why_not
+from .bake_operator import OnActiveObject, PanelSettings, put_on_selected, said_of, target_material
 from .materials import model_of, record_of
 from .settings import Viewing, realisation_property, viewing_of
 
@@ -20,18 +20,10 @@ FORMS = (
 NOT_IN_NAMES = str.maketrans("/:", "__")
 
 
-class _FromConstants(PanelSettings, Viewing):
+class _FromConstants(OnActiveObject, PanelSettings, Viewing):
     """What importing and pasting share: bake OpticalConstants into the active material slot."""
 
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context):
-        """Needs an active object of this file that takes materials."""
-        reason = why_not(context)
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
 
     def bake(self, context, read):
         """Read, and bake what was read; one clear sentence where it cannot be."""

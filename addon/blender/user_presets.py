@@ -10,7 +10,7 @@ from bl_ui.utils import PresetPanel
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
-from .bake_operator import active_material, put_on_selected, said_of, target_material, why_not
+from .bake_operator import OnActiveObject, active_material, put_on_selected, said_of, target_material
 from .materials import model_of, parameters_of, realisation_of, record_of
 
 __all__ = ["CLASSES", "draw_header", "preset_text", "preset_from"]
@@ -92,7 +92,7 @@ class FACET_FILM_OT_save_user_preset(AddPresetBase, bpy.types.Operator):
         Path(filepath).write_text(preset_text(active_material(context)), encoding="utf-8")
 
 
-class FACET_FILM_OT_apply_user_preset(bpy.types.Operator):
+class FACET_FILM_OT_apply_user_preset(OnActiveObject, bpy.types.Operator):
     """Make the active material slot the material that you saved"""
 
     bl_idname = "facet_film.apply_user_preset"
@@ -101,14 +101,6 @@ class FACET_FILM_OT_apply_user_preset(bpy.types.Operator):
 
     filepath: bpy.props.StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE", "HIDDEN"})
     menu_idname: bpy.props.StringProperty(options={"SKIP_SAVE", "HIDDEN"})
-
-    @classmethod
-    def poll(cls, context):
-        """Needs an active object of this file that takes materials."""
-        reason = why_not(context)
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
 
     def execute(self, context):
         """Read the file, put the material in the slots."""
