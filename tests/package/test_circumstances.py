@@ -151,8 +151,9 @@ from addon.spectra.presets import names
 for number, name in enumerate(names()):
     api.create_material(preset=name).use_fake_user = True
     if number % 3 == 0:
-        bpy.ops.wm.save_as_mainfile(filepath=sys.argv[2], compress=False)
-        print("saved", flush=True)
+        path = f"{sys.argv[2]}/{number}.blend"
+        bpy.ops.wm.save_as_mainfile(filepath=path, compress=False)
+        print("saved", path, flush=True)
 """
 
 OPEN = """
@@ -166,20 +167,23 @@ print("materials", len(bpy.data.materials))
 
 @pytest.mark.parametrize("after", [0.0, 0.05])
 def test_killed_during_a_bake_of_all(extension, tmp_path, after):
-    """The file that was saved before opens, with what was baked until then."""
-    target = tmp_path / "all.blend"
-    process = subprocess.Popen([sys.executable, "-P", "-c", BAKE_ALL, extension, target], stdout=subprocess.PIPE,
+    """The file that was saved before opens, with what was baked until then.
+
+    Each save has a file of its own: Blender takes the older file away before it gives the new one its name, so that
+    killed between the two it leaves only the older one, as .blend1.
+    """
+    process = subprocess.Popen([sys.executable, "-P", "-c", BAKE_ALL, extension, tmp_path], stdout=subprocess.PIPE,
                                stderr=subprocess.DEVNULL, text=True)
-    saved = 0
+    saved = []
     for line in process.stdout:
-        saved += line.strip() == "saved"
-        if saved == 3:
+        saved += re.findall(r"^saved (.*)$", line.rstrip("\n"))
+        if len(saved) == 3:
             break
-    assert saved == 3
+    assert len(saved) == 3
     time.sleep(after)
     process.send_signal(signal.SIGKILL)
     process.wait()
-    opened = subprocess.run([sys.executable, "-P", "-c", OPEN, target], capture_output=True, text=True)
+    opened = subprocess.run([sys.executable, "-P", "-c", OPEN, saved[-1]], capture_output=True, text=True)
     assert opened.returncode == 0, opened.stderr[-2000:]
     found = int(re.search(r"^materials (\d+)$", opened.stdout, re.MULTILINE).group(1))
     assert found >= 7
