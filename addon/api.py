@@ -190,10 +190,11 @@ def _baked_for(preset, realisation, options):
     The formulas take the exact equation.  So does F82, which Fast takes for a
     dielectric where Blender 4.5's conductor misses it by several CIEDE2000.
     """
+    from .blender import compat
     exact = bake(preset, **options, formula="exact")
     if realisation not in NATIVE_FRESNEL:
         return exact, False
-    baked = bake(preset, **options)
+    baked = exact if compat.conductor_formula() == "exact" else bake(preset, **options)
     by_f82 = baked.best == "f82" and baked.conductor.delta_e_2000_max > FAR_OFF
     return (exact, True) if by_f82 else (baked, False)
 

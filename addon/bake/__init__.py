@@ -1,7 +1,15 @@
 """From spectra to RGB curves, fitted parameters, gamut mapping and residuals.  numpy only."""
 
-from .baking import FORMULAS, Bake, bake
-from .checking import Check, Spread, check, spread
-from .paper import Ways, ways
+from importlib import import_module
 
 __all__ = ["bake", "Bake", "check", "Check", "spread", "Spread", "ways", "Ways", "FORMULAS"]
+
+PLACES = {"bake": "baking", "Bake": "baking", "FORMULAS": "baking", "check": "checking", "Check": "checking",
+          "spread": "checking", "Spread": "checking", "ways": "paper", "Ways": "paper"}
+"""Name -> module, loaded with its first use: who bakes waits for nothing else."""
+
+
+def __getattr__(name):
+    if name not in PLACES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f".{PLACES[name]}", __name__), name)

@@ -1,6 +1,7 @@
 """From a measured material to what a renderer takes: colours over angle, and parameters fitted to them."""
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from .colour import lab
 from .curve import knots
 from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_of
 from .gamut import GamutReport
-from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, diffuse_colour, reflect
+from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, check_named, diffuse_colour, reflect
 
 __all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "FORMULAS"]
 
@@ -135,14 +136,13 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     >>> [round(x, 3) for x in bake("copper").f0]
     [0.932, 0.623, 0.522]
     """
+    check_named(preset)
     choice("formula", formula, FORMULAS)
-    reflected = reflect(preset, Viewing(illuminant, observer, space, adapt, gamut), from_normal_reflectance)
+    viewing = Viewing(illuminant, observer, space, adapt, gamut)
+    reflected, metric, target_lab, f82, curve = _whatever_the_formula(preset, viewing, from_normal_reflectance)
     colours, mapped = reflected.colours, reflected.mapped
-    target_lab = lab(mapped, space)
-    metric = colour_metric(mapped[FITTED], target_lab[FITTED], space)
-    conductor = fit_conductor(reflected, formula, metric, target_lab[COMPARED])
-    f82 = fit_f82(reflected, metric, target_lab[COMPARED])
-    constants, record, viewing = reflected.constants, reflected.preset, reflected.viewing
+    conductor = fit_conductor(reflected, formula, metric, target_lab)
+    constants, record = reflected.constants, reflected.preset
     return Bake(
         name=record.name, title=record.title, kind=record.kind,
         source=Source(constants.dataset, constants.citation, constants.licence, constants.range_nm,
@@ -151,13 +151,23 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
         f0=tuple(colours[AT_NORMAL].tolist()),
         f82_tint=tuple(fresnel.f82_tint_of(colours[AT_NORMAL], colours[AT_82]).tolist()),
         conductor=conductor, f82=f82,
-        fresnel=curve_of(reflected),
+        fresnel=curve,
         gamut=reflected.gamut, normal_rgb=tuple(mapped[AT_NORMAL].tolist()),
         diffuse_rgb=tuple(diffuse_colour(reflected).tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
         adapted=viewing.adapt, specular=record.specular, slopes=record.slopes,
         distribution=record.distribution, white=tuple(viewing.weights.sum(axis=0).tolist()),
         estimated=record.estimated)
+
+
+@functools.lru_cache(maxsize=4)
+def _whatever_the_formula(preset, viewing, from_normal_reflectance):
+    """(Reflected, metric, Lab to hold fits against, F82Fit, FresnelCurve); kept, as a material is baked for two."""
+    reflected = reflect(preset, viewing, from_normal_reflectance)
+    target_lab = lab(reflected.mapped, viewing.space)
+    metric = colour_metric(reflected.mapped[FITTED], target_lab[FITTED], viewing.space)
+    target_lab = target_lab[COMPARED]
+    return reflected, metric, target_lab, fit_f82(reflected, metric, target_lab), curve_of(reflected)
 
 
 def curve_of(reflected):

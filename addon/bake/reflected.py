@@ -7,12 +7,11 @@ import numpy as np
 from ..errors import FacetFilmError, choice
 from ..reflectance import fresnel
 from ..spectra import illuminants, names, observers, optical_constants, presets
-from ..spectra.search import search
 from .colour import SPACES, rgb_to_xyz, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
 __all__ = [
-    "Viewing", "Reflected", "reflect", "mirror_spectra", "material", "diffuse_colour",
+    "Viewing", "Reflected", "reflect", "mirror_spectra", "material", "check_named", "diffuse_colour",
     "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED",
 ]
 
@@ -146,17 +145,23 @@ def material(what):
     if isinstance(what, str) and "/" in what:
         constants = optical_constants.load(what)
         return _unnamed(constants), constants
-    if not isinstance(what, str):
-        raise FacetFilmError(f"A material is a preset's name or a dataset's id, not {what!r}.")
+    check_named(what)
     try:
         preset = presets.find(what)
     except FacetFilmError:
+        from ..spectra.search import search
         fitting = search(what, 4, guess=False) if what.strip() else []
         if not fitting:
             raise
         some = ", ".join(repr(found.id) for found in fitting[:3]) + (", …" if len(fitting) > 3 else "")
         raise FacetFilmError(f"preset {what!r} is unknown; what fits these words: {some}.") from None
     return preset, presets.constants(preset)
+
+
+def check_named(what):
+    """Raise FacetFilmError for anything that can be no material: neither a name nor OpticalConstants."""
+    if not isinstance(what, (str, optical_constants.OpticalConstants)):
+        raise FacetFilmError(f"A material is a preset's name or a dataset's id, not {what!r}.")
 
 
 def _unnamed(constants):

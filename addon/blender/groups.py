@@ -8,8 +8,8 @@ import bpy
 
 from . import compat
 
-__all__ = ["GROUPS", "FAST_OF", "EEVEE_OUTPUT", "LIBRARY", "build_group", "node_group", "group_id", "group_version",
-           "edited", "socket_named", "input_names"]
+__all__ = ["GROUPS", "FAST_OF", "EEVEE_OUTPUT", "LIBRARY", "library_file", "build_group", "node_group", "group_id",
+           "group_version", "edited", "socket_named", "input_names"]
 
 GROUPS = {
     "cook_torrance_fast": "cook_torrance_fast",
@@ -35,8 +35,9 @@ FAST_OF = {
 }
 """Groups that only Cycles can render -> the group that stands in for them in EEVEE."""
 
-LIBRARY = Path(__file__).parents[2] / "node_groups" / "facet_film_groups.blend"
-"""The groups as tools/build_groups.py built them: appending one takes milliseconds, building one seconds."""
+LIBRARY = Path(__file__).parents[2] / "node_groups" / "groups"
+"""The groups as tools/build_groups.py built them, a file for each: appending one takes milliseconds, building one
+seconds; and of a file with several Blender reads them all."""
 
 EEVEE_OUTPUT = "EEVEE"
 ID_KEY = "facet_film_id"
@@ -55,12 +56,13 @@ def node_group(identifier):
             and not tree.library and not edited(tree)]
     if same:
         return _merged(same)
-    tree = _from_library(definition.NAME) or definition.build()
+    tree = _from_library(identifier) or definition.build()
     if identifier in FAST_OF:
         _add_eevee_output(tree, node_group(FAST_OF[identifier]))
     tree[ID_KEY] = identifier
     tree[VERSION_KEY] = definition.VERSION
-    tree[FINGERPRINT_KEY] = fingerprint(tree)
+    if FINGERPRINT_KEY not in tree:
+        tree[FINGERPRINT_KEY] = fingerprint(tree)
     return tree
 
 
@@ -88,16 +90,21 @@ def build_group(identifier):
     return _definition(identifier).build()
 
 
-def _from_library(name):
+def library_file(identifier):
+    """Where the library holds the group with this id."""
+    return LIBRARY / f"{identifier}.blend"
+
+
+def _from_library(identifier):
     """The group appended from the library, or None where the library does not hold it."""
-    if not LIBRARY.exists():
+    if not library_file(identifier).exists():
         return None
     before = set(bpy.data.libraries)
-    with bpy.data.libraries.load(str(LIBRARY), link=False) as (source, target):
-        target.node_groups = [found for found in source.node_groups if found == name]
+    with bpy.data.libraries.load(str(library_file(identifier)), link=False) as (_, target):
+        target.node_groups = [_definition(identifier).NAME]
     for library in set(bpy.data.libraries) - before:
         bpy.data.libraries.remove(library)  # appending leaves an entry from which nothing is linked
-    return target.node_groups[0] if target.node_groups else None
+    return target.node_groups[0]
 
 
 def _definition(identifier):

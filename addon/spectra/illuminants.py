@@ -1,9 +1,11 @@
 """CIE illuminants: relative spectral power."""
 
+import functools
+import json
 import re
 
 from ..errors import choice
-from . import tables
+from . import observers, tables
 from .observers import WAVELENGTH_NM
 
 __all__ = ["power", "names", "title", "canonical"]
@@ -41,13 +43,14 @@ TITLES = {
 """What each illuminant is, with its correlated colour temperature.  CIE 015:2018."""
 
 
+@functools.lru_cache(maxsize=1)
 def names():
     """The illuminants: A to E, D50 to D75, fluorescent F…, high pressure HP…, LED-….
 
     >>> {"A", "D65", "F2", "F3.12", "HP1", "LED-B3", "E"} <= set(names())
     True
     """
-    return tuple(tables.read("cie")[1]["illuminants"])
+    return tuple(json.loads(name) for name in tables.lines("cie", "illuminants"))
 
 
 def title(illuminant):
@@ -79,6 +82,5 @@ def power(illuminant="D65"):
     >>> float(power("D65")[560 - 360])
     100.0
     """
-    _, index, values = tables.read("cie")
-    row = 3 * len(index["observers"]) + index["illuminants"].index(canonical(illuminant))
-    return values.reshape(-1, WAVELENGTH_NM.size)[row].astype(float)
+    row = 3 * len(observers.names()) + names().index(canonical(illuminant))
+    return tables.numbers("cie", row * WAVELENGTH_NM.size, WAVELENGTH_NM.size).astype(float)

@@ -1,5 +1,7 @@
 """CIE colour matching functions."""
 
+import json
+
 import numpy as np
 
 from ..errors import choice
@@ -17,7 +19,7 @@ def names():
     >>> names()
     ('1931', '1964')
     """
-    return tuple(tables.read("cie")[1]["observers"])
+    return tuple(json.loads(name) for name in tables.lines("cie", "observers"))
 
 
 def colour_matching_functions(observer="1931"):
@@ -28,6 +30,6 @@ def colour_matching_functions(observer="1931"):
     >>> colour_matching_functions("1931")[555 - 360].round(4).tolist()
     [0.5121, 1.0, 0.0057]
     """
-    _, index, values = tables.read("cie")
-    place = index["observers"].index(choice("observer", str(observer), names())) * 3
-    return values.reshape(-1, WAVELENGTH_NM.size)[place:place + 3].T.astype(float)
+    size = WAVELENGTH_NM.size
+    place = names().index(choice("observer", str(observer), names())) * 3
+    return tables.numbers("cie", place * size, 3 * size).reshape(3, size).T.astype(float)

@@ -18,6 +18,7 @@ __all__ = [
 VISIBLE_NM = (360.0, 780.0)
 CORE_NM = (400.0, 700.0)
 SOURCE = "refractiveindex.info"
+TABLE = "refractiveindex"
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -83,7 +84,7 @@ def from_normal_reflectance(wavelength_nm, reflectance, dataset, **about):
     1.5
     """
     measured = np.asarray(wavelength_nm, float)
-    wavelength = np.unique(np.concatenate([measured, np.arange(np.ceil(measured[0]), measured[-1])]))
+    wavelength = _distinct(measured, np.arange(np.ceil(measured[0]), measured[-1]))
     n = fresnel.index_from_normal(np.interp(wavelength, measured, reflectance))
     return OpticalConstants(wavelength, n, np.zeros_like(n), dataset, has_k=False, normal_only=True,
                             range_nm=(float(measured[0]), float(measured[-1])), **about)
@@ -109,22 +110,21 @@ def load(dataset):
     >>> load("main/Cu/Johnson").title
     'Copper, Johnson and Christy 1972'
     """
-    places = _places()
-    about, index, values = tables.read("refractiveindex")
-    if dataset not in places:
-        _refuse(dataset, index["left_out"], places)
-    _, title, citation, comment, n_model, k_model = index["records"][places[dataset]]
-    n_points = _points(n_model, values)
-    k_points = _points(k_model, values) if k_model else (n_points[0][:1], np.zeros(1))
+    place = _places().get(dataset)
+    if place is None:
+        _refuse(dataset, tables.part(TABLE, "left_out"), dataset_ids())
+    _, title, citation, comment, n_model, k_model = tables.line(TABLE, "records", place)
+    n_points = _points(n_model)
+    k_points = _points(k_model) if k_model else (n_points[0][:1], np.zeros(1))
     wavelength, n, k = on_common_wavelengths(n_points, k_points)
     ranges = [model[-2:] for model in (n_model, k_model) if model]
     return OpticalConstants(
         wavelength, n, np.maximum(k, 0.0), dataset, names.title_of(dataset, title),
-        index["citations"][citation], about["licence"],
+        tables.line(TABLE, "citations", citation), tables.about(TABLE)["licence"],
         (max(low for low, _ in ranges), min(high for _, high in ranges)), bool(k_model), comment=comment)
 
 
-def _refuse(dataset, left_out, places):
+def _refuse(dataset, left_out, known):
     """Raise the error of a dataset that is not in the table."""
     if dataset in left_out["no n"]:
         raise FacetFilmError(f"Dataset {dataset!r} has k but no n: no reflectance follows; choose another.")
@@ -132,8 +132,8 @@ def _refuse(dataset, left_out, places):
         raise FacetFilmError(f"Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; "
                              "choose another.")
     book = "/".join(str(dataset).split("/")[:2]) + "/"
-    same_material = [other for other in places if other.startswith(book)]
-    near = difflib.get_close_matches(str(dataset), same_material or places, 3, 0.6) or same_material[:3]
+    same_material = [other for other in known if other.startswith(book)]
+    near = difflib.get_close_matches(str(dataset), same_material or known, 3, 0.6) or same_material[:3]
     hint = f"; did you mean {' or '.join(map(repr, near))}?" if near else "."
     raise FacetFilmError(f"dataset {dataset!r} is unknown{hint} Datasets are named 'shelf/book/page', "
                          "as refractiveindex.info does; a search finds them.")
@@ -141,19 +141,19 @@ def _refuse(dataset, left_out, places):
 
 @functools.lru_cache(maxsize=1)
 def _places():
-    _, index, _ = tables.read("refractiveindex")
-    return {record[0]: place for place, record in enumerate(index["records"])}
+    """Where each dataset's record is."""
+    return {json_text[1:-1]: place for place, json_text in enumerate(tables.lines(TABLE, "datasets"))}
 
 
-def _points(model, values):
+def _points(model):
     """(wavelengths in nm, values) of a stored model."""
     if model[0] == 0:
         _, place_w, place_v, count, _, _ = model
         # The database has at most 7 digits: take what single precision added away.
-        wavelength = np.round(values[place_w:place_w + count].astype(float) * 1000.0, 4)
-        return _ascending(wavelength), values[place_v:place_v + count].astype(float)
+        wavelength = np.round(tables.numbers(TABLE, place_w, count).astype(float) * 1000.0, 4)
+        return _ascending(wavelength), tables.numbers(TABLE, place_v, count).astype(float)
     formula, place, count, low, high = model
-    return sampled_formula(formula, values[place:place + count], low, high)
+    return sampled_formula(formula, tables.numbers(TABLE, place, count), low, high)
 
 
 def sampled_formula(formula, coefficients, low, high):
@@ -166,8 +166,14 @@ def sampled_formula(formula, coefficients, low, high):
     [400.0, 401.0, 402.0, 402.5]
     """
     low, high = max(low, VISIBLE_NM[0]), min(high, VISIBLE_NM[1])
-    wavelength = np.unique(np.concatenate([[low], np.arange(np.ceil(low), high), [high]]))
+    wavelength = _distinct([low], np.arange(np.ceil(low), high), [high])
     return wavelength, dispersion.index(formula, coefficients, wavelength / 1000.0)
+
+
+def _distinct(*wavelengths):
+    """All of them, ascending, each once: as numpy.unique, which loads half of numpy with its first call."""
+    ascending = np.sort(np.concatenate(wavelengths))
+    return ascending[np.concatenate([[True], ascending[1:] != ascending[:-1]])]
 
 
 def _ascending(wavelength):
@@ -194,5 +200,5 @@ def on_common_wavelengths(n_points, k_points):
     (n_wavelength, n), (k_wavelength, k) = n_points, k_points
     if np.array_equal(n_wavelength, k_wavelength):
         return n_wavelength, n, k
-    wavelength = np.unique(np.concatenate([n_wavelength, k_wavelength]))
+    wavelength = _distinct(n_wavelength, k_wavelength)
     return wavelength, np.interp(wavelength, n_wavelength, n), np.interp(wavelength, k_wavelength, k)

@@ -90,6 +90,8 @@ def find(name):
     """
     if not isinstance(name, str):
         raise FacetFilmError(f"A preset is called by its name, such as 'copper', not {name!r}.")
+    if name in all_presets():
+        return all_presets()[name]
     as_spelt, by_plain_name = _by_any_name()
     found = as_spelt.get(name.strip()) or by_plain_name.get(_plain(name))
     if not found:

@@ -6,13 +6,15 @@ import functools
 import re
 import unicodedata
 
-from . import names, presets, tables
+from . import tables
 
-__all__ = ["Found", "search"]
+__all__ = ["Found", "search", "words_of", "END_OF_NAMES"]
 
 # How well a word of the query fits a material, best first.
 EXACT, BEGINNING, ELSEWHERE, IN_THE_NOTES = 8, 4, 2, 1
-SHELVES = ("main", "other", "organic", "glass", "3d", "popular_glass", "specs")
+END_OF_NAMES = "|"
+"""In a line of the index, between the words of a material's names and all its other words."""
+WORD = re.compile(r"[a-z0-9α-ω.]+")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -25,6 +27,7 @@ class Found:
     dataset         "shelf/book/page" of the data
     is_preset       whether it is a curated preset
     covers_visible  whether 400 to 700 nm were measured; else the ends are held
+    words           all that the search reads of it: its names, then the rest, in small letters
     """
 
     id: str
@@ -33,6 +36,7 @@ class Found:
     dataset: str
     is_preset: bool
     covers_visible: bool
+    words: str = dataclasses.field(default="", repr=False, compare=False)
 
 
 def search(text, limit=50, *, guess=True):
@@ -49,25 +53,40 @@ def search(text, limit=50, *, guess=True):
     >>> search("tungstn")[0].dataset.split("/")[1]
     'W'
     """
-    words = _words(text)
+    words = words_of(text)
     found = _fitting(words)
     if not found and words and guess:
         found = _fitting([_nearest(word) for word in words])
-    return found[:limit]
+    return [_found(place) for place in found[:limit]]
+
+
+def words_of(text):
+    """Words of a text as the search compares them: small letters without accents, subscripts as digits.
+
+    >>> words_of("Fe₂O₃, Café")
+    ['fe2o3', 'cafe']
+    """
+    text = str(text)
+    plain = text if text.isascii() else unicodedata.normalize("NFKD", text)
+    return WORD.findall(plain.lower())
+
+
+def _lines():
+    """The index as ``tools/build_search.py`` wrote it, presets first: a material's words, spaces around each."""
+    return tables.lines("search", "words")
 
 
 def _fitting(words):
-    records = _records()
+    """Places of the materials that all words fit, best first."""
     scores = []
-    for place, (_, names_text, all_text) in enumerate(records):
-        score = 0
+    for place, line in enumerate(_lines()):
         for word in words:
-            if word not in all_text:
+            if word not in line:
                 break
-            score += _fit(word, names_text)
         else:
-            scores.append((-score, place))
-    return [records[place][0] for _, place in sorted(scores)]
+            names_text = line.partition(END_OF_NAMES)[0]
+            scores.append((-sum(_fit(word, names_text) for word in words), place))
+    return [place for _, place in sorted(scores)]
 
 
 def _fit(word, names_text):
@@ -78,61 +97,18 @@ def _fit(word, names_text):
     return ELSEWHERE if word in names_text else IN_THE_NOTES
 
 
-@functools.lru_cache(maxsize=None)
-def _words(text):
-    """Small letters without accents; subscripts are digits, and what is no letter or digit parts words."""
-    text = str(text)
-    plain = text if text.isascii() else unicodedata.normalize("NFKD", text)
-    return re.findall(r"[a-z0-9α-ω.]+", plain.lower())
-
-
-def _text(*parts):
-    return f" {' '.join(word for part in parts for word in _words(part))} "
-
-
-@functools.lru_cache(maxsize=1)
-def _records():
-    """(Found, its names as words, all its text as words), presets first."""
-    _, index, values = tables.read("refractiveindex")
-    datasets = {record[0]: record for record in index["records"]}
-    found = [_preset(preset, datasets.get(preset.dataset), index)
-             for preset in presets.all_presets().values()]
-    for record in sorted(datasets.values(), key=lambda record: SHELVES.index(record[0].split("/")[0])):
-        found.append(_dataset(record, index, values))
-    return found
-
-
-def _preset(preset, record, index):
-    covers = _covers(record) if record else presets.constants(preset).covers_visible
-    entry = Found(preset.name, preset.title, preset.kind, preset.dataset, True, covers)
-    named = _text(preset.name, preset.title, preset.kind, *preset.aliases)
-    if record is None:
-        return entry, named, named + _text(preset.note, preset.estimated)
-    named += _text(*names.material_names(preset.dataset), *preset.dataset.split("/")[1:])
-    return entry, named, named + _text(record[1], preset.note) + _text(index["citations"][record[2]])
-
-
-def _dataset(record, index, values):
-    dataset, title, citation, comment, _, k_model = record
-    k = values[k_model[2]:k_model[2] + k_model[3]].mean() if k_model else 0.0
-    title_shown, kind = names.title_of(dataset, title), names.kind_of(dataset, k)
-    entry = Found(dataset, title_shown, kind, dataset, False, _covers(record))
-    named = _text(*names.material_names(dataset), *dataset.split("/")[1:])
-    return entry, named, named + _text(title, comment) + _text(index["citations"][citation])
-
-
-def _covers(record):
-    ranges = [model[-2:] for model in record[4:6] if model]
-    return max(low for low, _ in ranges) <= 400.0 and min(high for _, high in ranges) >= 700.0
+@functools.lru_cache(maxsize=512)
+def _found(place):
+    return Found(*tables.line("search", "found", place), words=tables.line("search", "words", place))
 
 
 @functools.lru_cache(maxsize=1)
 def _vocabulary():
-    return sorted({word for _, named, _ in _records() for word in named.split() if len(word) > 3})
+    return sorted({word for line in _lines() for word in line.partition(END_OF_NAMES)[0].split() if len(word) > 3})
 
 
 def _nearest(word):
     """The word itself where it occurs, else the nearest of the materials' names."""
-    if any(word in all_text for _, _, all_text in _records()):
+    if any(word in line for line in _lines()):
         return word
     return (difflib.get_close_matches(word, _vocabulary(), 1, 0.7) or [word])[0]

@@ -17,7 +17,7 @@ ALLOWED = ("__init__.py", "blender_manifest.toml", "LICENSE", "README.md",
            "addon/*.py", "addon/osl/*.osl", "addon/spectra/data/*",
            "addon/thumbnails/*.png", "node_groups/*.blend", "node_groups/*/blender_assets.cats.txt")
 NEEDED = ("__init__.py", "blender_manifest.toml", "LICENSE", "addon/__init__.py", "addon/cli.py", "addon/api.py",
-          "node_groups/facet_film_groups.blend", "node_groups/blender_4.5/facet_film_assets.blend",
+          "node_groups/groups/cook_torrance_fast.blend", "node_groups/blender_4.5/facet_film_assets.blend",
           "node_groups/blender_5.0/facet_film_assets.blend")
 
 
