@@ -147,3 +147,9 @@ def test_tests_are_no_package():
 def test_every_requirement_is_at_an_exact_version(name):
     for line in text_of(name).splitlines():
         assert re.fullmatch(r"#.*|-r python-\d\.\d+\.txt|[a-z0-9-]+==[0-9.]+", line), line
+
+
+def test_node_groups_hold_the_groups_one_by_one_and_the_assets():
+    """A file with several groups is slow to take one from: see addon.blender.groups.LIBRARY."""
+    folders = {name.split("/")[1] for name in FILES if name.startswith("node_groups/")}
+    assert folders == {"groups", "blender_4.5", "blender_5.0"}
