@@ -59,7 +59,7 @@ verify: setup
 	$(RUN) -m addon verify -o out/verification$(series:%=-%).html --json out/verification$(series:%=-%).json
 
 bench: setup
-	$(RUN) -m tests.bench.bench
+	$(RUN) -m tests.bench.bench $$([ -x $(OLDEST)/bin/python ] && echo --other $(OLDEST)/bin/python)
 
 package: setup
 	$(RUN) tools/package.py --out dist

@@ -1,6 +1,5 @@
 """The one error that users of this extension see, and the checks that raise it."""
 
-import difflib
 import math
 import numbers
 
@@ -62,6 +61,7 @@ def choice(name, value, valid):
     valid = tuple(valid)
     if isinstance(value, str) and value in valid:
         return value
+    import difflib
     near = difflib.get_close_matches(str(value), valid, 3, 0.5)
     hint = "; did you mean " + " or ".join(map(repr, near)) + "?" if near else ";"
     shown = ", ".join(map(repr, valid[:12])) + (", …" if len(valid) > 12 else "")

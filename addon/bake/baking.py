@@ -1,7 +1,7 @@
 """From a measured material to what a renderer takes: colours over angle, and parameters fitted to them."""
 
-import dataclasses
 import functools
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_o
 from .gamut import GamutReport
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, check_named, diffuse_colour, reflect
 
-__all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "FORMULAS"]
+__all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "plain", "FORMULAS"]
 
 FORMULAS = {"exact": fresnel.conductor, "blender-4.5": fresnel.conductor_blender_4_5}
 """What the renderer evaluates for a conductor: exact from Blender 5.0, before that an approximation."""
@@ -28,8 +28,7 @@ NEAR_GRAZING = 12.0 / 255.0 * np.linspace(0.0, 1.0, 97)[:-1] ** 2
 N_RANGE, K_RANGE = (1e-3, 20.0), (0.0, 40.0)
 
 
-@dataclasses.dataclass(frozen=True)
-class Source:
+class Source(NamedTuple):
     """Where the measured data is from."""
 
     dataset: str
@@ -39,8 +38,7 @@ class Source:
     covers_visible: bool  # 400 to 700 nm; else the ends are held
 
 
-@dataclasses.dataclass(frozen=True)
-class ConductorFit:
+class ConductorFit(NamedTuple):
     """n and k a channel, ``(3,)`` each, for the named formula, and how far off they are at worst."""
 
     n: tuple
@@ -49,8 +47,7 @@ class ConductorFit:
     delta_e_2000_max: float
 
 
-@dataclasses.dataclass(frozen=True)
-class F82Fit:
+class F82Fit(NamedTuple):
     """F0 and F82 tint a channel, ``(3,)`` each, and how far off they are at worst."""
 
     f0: tuple
@@ -58,16 +55,14 @@ class F82Fit:
     delta_e_2000_max: float
 
 
-@dataclasses.dataclass(frozen=True)
-class FresnelCurve:
+class FresnelCurve(NamedTuple):
     """Colour of the mirror over angle: cos θ ``(K,)`` ascending, rgb ``(K, 3)``, straight lines between."""
 
     cos_theta: tuple
     rgb: tuple
 
 
-@dataclasses.dataclass(frozen=True)
-class Bake:
+class Bake(NamedTuple):
     """What a material is for a renderer.
 
     f0 and f82_tint are colorimetric, before colours are brought into the
@@ -108,7 +103,7 @@ class Bake:
         >>> sorted(bake("copper").to_dict()["gamut"])
         ['largest_change', 'method', 'outside']
         """
-        return _plain(dataclasses.asdict(self))
+        return plain(self)
 
     def cook_torrance_parameters(self):
         """Keywords of the Cook-Torrance material: slopes, distribution, specular, n, k and diffuse.
@@ -213,9 +208,16 @@ def fit_f82(reflected, metric, target_lab):
     return F82Fit(tuple(f0.tolist()), tuple(tint.tolist()), delta_e)
 
 
-def _plain(value):
+def plain(value):
+    """A record as dicts, lists, numbers and text, all the way down.
+
+    >>> plain({"source": GamutReport(False, "clip", 0.0), "f0": (0.1, 0.2)})
+    {'source': {'outside': False, 'method': 'clip', 'largest_change': 0.0}, 'f0': [0.1, 0.2]}
+    """
+    if hasattr(value, "_asdict"):
+        value = value._asdict()
     if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
+        return {key: plain(item) for key, item in value.items()}
     if isinstance(value, (tuple, list)):
-        return [_plain(item) for item in value]
+        return [plain(item) for item in value]
     return value

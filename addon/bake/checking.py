@@ -8,7 +8,7 @@ from ..errors import FacetFilmError, choice, numbers_of
 from ..reflectance import fresnel
 from ..spectra import names, optical_constants
 from ..spectra.search import search
-from .baking import CURVE_TOLERANCE, FORMULAS, FresnelCurve
+from .baking import CURVE_TOLERANCE, FORMULAS, FresnelCurve, plain
 from .colour import delta_e_2000, lab
 from .curve import knots
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, material, reflect
@@ -47,7 +47,7 @@ class Check:
 
     def to_dict(self):
         """The same as dicts and lists, ready for JSON."""
-        return dataclasses.asdict(self)
+        return plain(dataclasses.asdict(self))
 
 
 def check(against, *, n=None, k=None, f0=None, tint=None, preset=None, formula="exact",
@@ -143,7 +143,7 @@ class Spread:
 
     def to_dict(self):
         """The same as dicts and lists, ready for JSON."""
-        return dataclasses.asdict(self)
+        return plain(dataclasses.asdict(self))
 
 
 def spread(what, *, illuminant="D65", observer="1931", space="Rec.709", adapt=False):

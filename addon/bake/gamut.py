@@ -1,6 +1,6 @@
 """Brings colours into [0, 1], and says what that changed."""
 
-import dataclasses
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,8 +13,7 @@ TOLERANCE = 2e-4
 """How far outside [0, 1] is no more than the rounding of a white to four digits."""
 
 
-@dataclasses.dataclass(frozen=True)
-class GamutReport:
+class GamutReport(NamedTuple):
     """What was outside, and what was done.
 
     outside         whether any colour was outside [0, 1] by more than 0.0002

@@ -5,7 +5,6 @@ import json
 
 import bpy
 
-from ..nodes import fresnel_ramp
 from .groups import ID_KEY, VERSION_KEY
 
 __all__ = ["fresnel_ramp_group"]
@@ -16,6 +15,7 @@ CURVE_KEY = "facet_film_curve"
 
 def fresnel_ramp_group(baked):
     """The ramp group of a baked material, built where the file has none with the same curve."""
+    from ..nodes import fresnel_ramp
     record = baked.to_dict()
     cos_theta, rgb = record["fresnel"]["cos_theta"], record["fresnel"]["rgb"]
     stamp = hashlib.sha256(json.dumps([record["name"], cos_theta, rgb]).encode()).hexdigest()[:16]

@@ -14,10 +14,10 @@ _held = []
 
 def preset_icon(model, name):
     """Icon number of a preset or dataset; 0, no picture, for an unknown name and where Blender has no window."""
-    from . import pictures
     file = FOLDER / f"{name}.png"
     if "/" not in name and file.exists():
         return _icon(f"{model} {name}", None, file)
+    from . import pictures
     return _icon(f"{model} {name}", lambda: (
         pictures.layered_ball if model == "layered_rgb" else pictures.measured_ball)(name))
 

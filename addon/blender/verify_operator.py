@@ -1,8 +1,5 @@
 """The verification, run in a second Blender so that the open file and the window stay free."""
 
-import queue
-import subprocess
-import threading
 from pathlib import Path
 
 import bpy
@@ -79,6 +76,8 @@ and open the report. Takes one to five minutes; Esc stops it"""
         except FacetFilmError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        import queue
+        import threading
         _state.update(process=self._process, line="Verifying: starting a second Blender …")
         self._lines, self._said = queue.Queue(), []
         self._reader = threading.Thread(target=self._read, daemon=True)
@@ -114,6 +113,7 @@ and open the report. Takes one to five minutes; Esc stops it"""
         self._end(context)
 
     def _start(self):
+        import subprocess  # here, as enabling the extension waits for what stands at the top
         path = report_path()
         try:
             return subprocess.Popen(command(path, self.device), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

@@ -6,7 +6,6 @@ import json
 import pathlib
 
 from ..errors import FacetFilmError, choice
-from . import optical_constants
 
 __all__ = ["Preset", "find", "constants", "names", "all_presets"]
 
@@ -55,6 +54,7 @@ def constants(preset):
     >>> constants(find("copper")).dataset
     'main/Cu/Johnson'
     """
+    from . import optical_constants  # not before a bake: lists of presets have to be there at once
     if preset.dataset:
         return optical_constants.load(preset.dataset)
     make = optical_constants.OpticalConstants if preset.index else optical_constants.from_normal_reflectance

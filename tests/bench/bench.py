@@ -1,6 +1,6 @@
 """All that is measured of time, noise and size, in one run: a record for machines, and a page with a plot.
 
-    python -m tests.bench.bench [--record out/bench.json] [--page docs/benchmarks.md] [--quick]
+    python -m tests.bench.bench [--record out/bench.json] [--page docs/benchmarks.md] [--quick] [--other PYTHON]
 
 Renders are of a copper sphere of slope 0.3 under a sun of 5° and a dim sky, in processor seconds of this process;
 medians of the repeats, and ratios to the Principled BSDF within the run. Noise is the rms deviation between
@@ -25,7 +25,7 @@ from addon import api
 from addon.blender import compat
 from addon.verify import scenes
 from addon.verify.running import _quiet as quiet
-from tests.bench import bench_bake, bench_enable
+from tests.bench import bench_bake, bench_interface
 from tests.bench.bench_cook_torrance import by_hand
 from tests.render.cook_torrance_scenes import COPPER
 from tests.render.layered_scenes import material as layered_material
@@ -124,11 +124,20 @@ def sizes():
 
 
 def times():
-    """Milliseconds and seconds of baking, enabling, and making a material."""
-    enable = bench_enable.measure(5)
+    """Milliseconds and seconds of baking, and of making a material."""
     return {"bake_one_ms": bench_bake.one_bake(), "bake_all_datasets_s": bench_bake.whole_database(),
-            "enable_ms": statistics.median(enable[1:]), "enable_first_ms": enable[0],
-            "search_keystroke_ms": bench_bake.keystroke(), "create_material_ms": create_ms()}
+            "create_material_ms": create_ms()}
+
+
+def interface(other):
+    """{Blender: what bench_interface measures}, of this one and of the one that another Python has."""
+    found = {bpy.app.version_string: bench_interface.measure(5)}
+    if other:
+        def said(*arguments):
+            return subprocess.run([other, *arguments], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+        version_string = said("-c", "import bpy; print('is', bpy.app.version_string)").split("is ")[1].strip()
+        found[version_string] = json.loads(said(bench_interface.__file__, "--json"))
+    return found
 
 
 def create_ms():
@@ -145,14 +154,14 @@ def create_ms():
     return found
 
 
-def record(quick):
+def record(quick, other):
     """Everything measured."""
     counts, repeats = ((4, 16), 2) if quick else ((4, 16, 64), 3)
     with quiet():
         return {
             "blender": bpy.app.version_string, "bpy": version("bpy"), "resolution": RESOLUTION, "cores": scenes.TWO_CORES,
             "noise_over_time": noise_over_time(counts, repeats), "growth": growth(counts[-1], repeats),
-            "times": times(), "sizes": sizes(),
+            "times": times(), "interface": interface(other), "sizes": sizes(),
             "peak_memory_of_this_run_mib": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024}
 
 
@@ -229,11 +238,23 @@ How the time grows, over the first of each row (a grid of spheres fills the same
 | bake one preset | {t['bake_one_ms']:.1f} ms |
 | bake all datasets of the database | {t['bake_all_datasets_s']:.1f} s |
 | `create_material`, a preset, group already in the file | {made} |
-| enable the extension | {t['enable_ms']:.0f} ms, {t['enable_first_ms']:.0f} ms the first time after installing |
-| a keystroke in the search | {t['search_keystroke_ms']:.1f} ms |
 | the zip | {s['zip_kib']:.0f} KiB |
 | memory added to Blender by a material of each realisation | {s['memory_mib']:.0f} MiB |
-"""
+
+{interface_part(found['interface'])}"""
+
+
+def interface_part(found):
+    """What one waits for, by Blender."""
+    parts = ["""## The interface
+
+`python tests/bench/bench_interface.py` measures this part alone: the zip as it is installed, each figure the median of
+five fresh Blenders. "First" is the first time in a session, with everything that is loaded for it (of enabling the
+first time after installing, which compiles the modules); "later" is the slowest after that. The bars are for all but
+the first column of enabling and of drawing.
+"""]
+    parts += [f"Blender {blender}:\n\n{bench_interface.table(figures)}\n" for blender, figures in found.items()]
+    return "\n".join(parts)
 
 
 def main():
@@ -241,9 +262,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--record", type=Path, default=ROOT / "out" / "bench.json")
     parser.add_argument("--page", type=Path, default=ROOT / "docs" / "benchmarks.md")
+    parser.add_argument("--other", help="the Python of another Blender, whose interface is to be timed too")
     parser.add_argument("--quick", action="store_true", help="few samples: to see that it works")
     arguments = parser.parse_args()
-    found = record(arguments.quick)
+    found = record(arguments.quick, arguments.other)
     picture = arguments.page.parent / "pictures" / "noise_over_time.png"
     arguments.record.parent.mkdir(parents=True, exist_ok=True)
     arguments.record.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")

@@ -1,0 +1,78 @@
+"""Times one thing in a Blender that has just started, and prints milliseconds as JSON: {"first": …, "later": …}.
+
+    BLENDER_USER_RESOURCES=PROFILE python session_of_interface.py enable | draw | preset | search
+
+Started by bench_interface.py, with the extension installed in the profile.
+"""
+
+import json
+import statistics
+import sys
+import time
+from importlib import import_module
+from pathlib import Path
+
+import bpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+import addon_utils  # noqa: E402  (a module of Blender's)
+from drawn import drawn, properties_editor  # noqa: E402  (no tests package here: the extension is the installed one)
+
+MODULE = "bl_ext.user_default.facet_film"
+PRESETS = ("copper", "gold", "silver", "diamond", "vinyl", "main/Cu/Babar", "silver", "crown_glass")
+TYPED = ("gold babar", "titanium oxide", "stainless steel", "tungstn", "schott n-bk7")
+
+
+def timed(work):
+    """Milliseconds that one waits for a call: of the processor, or passed where that is less, as with several threads."""
+    clocks = (time.process_time, time.perf_counter)
+    starts = [clock() for clock in clocks]
+    work()
+    return min(clock() - start for clock, start in zip(clocks, starts)) * 1e3
+
+
+def enable():
+    """Enabling, which can only be the first time."""
+    took = timed(lambda: addon_utils.enable(MODULE))
+    return {"first": took, "later": took}
+
+
+def draw():
+    """Every panel of the Properties editor with all parts opened: first without a material of ours, later on one."""
+    registration = import_module(f"{MODULE}.addon.blender.registration")
+    panels = [cls for cls in registration.CLASSES
+              if issubclass(cls, bpy.types.Panel) and getattr(cls, "bl_context", "") == "material"]
+    context = properties_editor()
+
+    def all_panels():
+        return sum(drawn(panel, context) is not None for panel in panels)
+    first = timed(all_panels)
+    bpy.ops.facet_film.bake_preset(preset="copper")
+    assert all_panels() >= 6
+    return {"first": first, "later": statistics.median(timed(all_panels) for _ in range(50))}
+
+
+def preset():
+    """Presets put on the cube, one after the other; of the later ones the slowest."""
+    first, *later = (timed(lambda: bpy.ops.facet_film.bake_preset(preset=name)) for name in PRESETS)
+    return {"first": first, "later": max(later)}
+
+
+def search():
+    """Letters typed into the field, of the later ones the slowest; one list for each letter, as Blender asks."""
+    settings = import_module(f"{MODULE}.addon.blender.settings")
+    texts = [text[:end] for text in TYPED for end in range(1, len(text) + 1)]
+    first, *later = (timed(lambda: settings.search_measured(None, None, text)) for text in texts)
+    return {"first": first, "later": max(later)}
+
+
+def main(what):
+    """Enable, then what is asked."""
+    if what != "enable":
+        addon_utils.enable(MODULE)
+    print("took", json.dumps({"enable": enable, "draw": draw, "preset": preset, "search": search}[what]()))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
