@@ -1,10 +1,11 @@
 """Choosing a preset: by its thumbnail among those of its kind, or by typing, over the whole database."""
 
 import functools
+import re
 
 from .thumbnails import preset_icon
 
-__all__ = ["KIND_ITEMS", "draw_card", "forget", "search", "thumbnail_items", "title_of"]
+__all__ = ["KIND_ITEMS", "draw_card", "forget", "lines", "name_in", "search", "thumbnail_items", "title_of"]
 
 KIND_ITEMS = (
     ("metal", "Metals", ""), ("alloy", "Alloys", ""), ("conductor", "Other Conductors", ""),
@@ -13,16 +14,47 @@ KIND_ITEMS = (
     ("polymer", "Polymers", ""), ("figure", "The Paper's Figures", "As Cook and Torrance published them in 1982"),
 )
 LISTED = 40
+BETWEEN = " · "
+"""Between a name and its title in a line of a list."""
+NO_WORD = re.compile(r"[\s/]+")
+"""Where Blender's search parts words."""
 
 
 def search(model, text):
     """(name, title) of what fits the words typed so far, presets first."""
+    return [found[:2] for found in _found(model, text)]
+
+
+def lines(model, text):
+    """The same as lines that begin with the name, for Blender's list, which leaves out what lacks a typed word.
+
+    So words that fit an alias, a note or a misspelt name stand at the end of the line.
+    """
+    return [BETWEEN.join((name, title, *_elsewhere(text, f"{name} {title}", words)))
+            for name, title, words in _found(model, text)]
+
+
+def name_in(line):
+    """The name that a line begins with."""
+    return line.split(BETWEEN)[0]
+
+
+def _found(model, text):
+    """(name, title, all words that are searched) of what fits."""
     if model == "layered_rgb":
         from ..layered_presets import PRESETS
-        return [(name, preset.title) for name, preset in PRESETS.items()
-                if all(word in f"{name} {preset.title}".casefold() for word in text.casefold().split())]
+        texts = {name: f"{name} {preset.title} {preset.kind} {preset.note}".casefold() for name, preset in PRESETS.items()}
+        return [(name, PRESETS[name].title, words) for name, words in texts.items()
+                if all(word in words for word in text.casefold().split())]
     from ..spectra.search import search as found_by
-    return [(found.id, found.title) for found in found_by(text, limit=LISTED)]
+    return [(found.id, found.title, found.words) for found in found_by(text, limit=LISTED)]
+
+
+def _elsewhere(text, shown, words):
+    """The typed words that no shown word begins with, each as the first of `words` that does, or as it is."""
+    shown, words = (NO_WORD.split(part.casefold()) for part in (shown, words))
+    return [next((word for word in words if word.startswith(typed)), typed) for typed in text.casefold().split()
+            if not any(word.startswith(typed) for word in shown)]
 
 
 def thumbnail_items(model, kind, chosen):

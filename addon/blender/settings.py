@@ -39,33 +39,25 @@ GAMUT_ITEMS = (
 SAME_AS_FILE = "FILE"
 
 
-BETWEEN = " · "
-"""Between a name and its title in a list: Blender lists only what holds the words that were typed."""
-
-
-def _listed(model, text):
-    return [f"{name}{BETWEEN}{title}" for name, title in picker.search(model, text)]
-
-
 def _search(settings, _context, text):
-    return _listed(settings.model, text)
+    return picker.lines(settings.model, text)
 
 
 def search_measured(_settings, _context, text):
     """What a text property lists while one types: presets and datasets with their titles."""
-    return _listed("cook_torrance", text)
+    return picker.lines("cook_torrance", text)
 
 
 def _search_layered(_settings, _context, text):
-    return _listed("layered_rgb", text)
+    return picker.lines("layered_rgb", text)
 
 
 def _drop_title(attribute):
     """Keep the name alone of what was chosen from the list."""
     def update(properties, _context):
         chosen = getattr(properties, attribute)
-        if BETWEEN in chosen:
-            setattr(properties, attribute, chosen.split(BETWEEN)[0])
+        if picker.name_in(chosen) != chosen:
+            setattr(properties, attribute, picker.name_in(chosen))
     return update
 
 

@@ -6,9 +6,11 @@ import pytest
 import addon
 from addon import api
 from addon.blender import compat, materials, node_menu, node_sidebar, picker
+from addon.blender import settings as settings_module
 from addon.blender.bake_operator import why_locked
 from addon.blender.realisation_operator import what_is_missing
 from addon.errors import FacetFilmError
+from addon.spectra.search import search as spectra_search
 
 
 @pytest.fixture
@@ -53,6 +55,34 @@ def test_search_finds_presets_and_datasets(objects):
     settings().preset = "main/Au/Babar · Gold"
     assert settings().preset == "main/Au/Babar"
     assert picker.search("layered_rgb", "soap") == [("soap film", "Soap film")]
+
+
+def kept_by_blender(line, typed):
+    """Whether Blender's own list shows a line: each word typed begins one of its words."""
+    words = line.casefold().replace("/", " ").split()
+    return all(any(word.startswith(part) for word in words) for part in typed.casefold().split())
+
+
+@pytest.mark.parametrize("model, typed", [
+    *(("cook_torrance", typed) for typed in (
+        "gold babar", "quicksilver", "Fe₂O₃", "tungstn", "oxide", "aluminum", "1985", "schott n-bk7", "johnson",
+        "bolts and", "stainless ste", "Café", "tio2", "hematite")),
+    ("layered_rgb", "soap"), ("layered_rgb", "shell")])
+def test_whatever_the_search_finds_is_listed_while_one_types(objects, model, typed):
+    found = picker.search(model, typed)
+    listed = (settings_module.search_measured(None, None, typed) if model == "cook_torrance"
+              else picker.lines(model, typed))
+    assert [picker.name_in(line) for line in listed] == [name for name, _ in found]
+    assert all(kept_by_blender(line, typed) for line in listed), listed
+    if model == "cook_torrance":
+        assert found == [(one.id, one.title) for one in spectra_search(typed, picker.LISTED)]
+
+
+def test_a_word_of_an_alias_or_note_is_shown_where_the_title_lacks_it(objects):
+    assert picker.lines("cook_torrance", "quicksilver")[0].startswith("mercury · Mercury · quicksilver")
+    assert picker.lines("cook_torrance", "mercury")[0] == "mercury · Mercury"
+    settings().preset = picker.lines("cook_torrance", "quicksil")[0]
+    assert settings().preset == "mercury"
 
 
 def test_baking_puts_one_material_on_all_selected_objects(objects):
