@@ -55,7 +55,7 @@ def node_group(identifier):
             if tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == definition.VERSION
             and not tree.library and not edited(tree)]
     if same:
-        return _merged(same)
+        return _merged(same, identifier)
     tree = _from_library(identifier) or definition.build()
     if identifier in FAST_OF:
         _add_eevee_output(tree, node_group(FAST_OF[identifier]))
@@ -66,12 +66,14 @@ def node_group(identifier):
     return tree
 
 
-def _merged(trees):
-    """The first of equal groups, in the place of the others: an asset that was dragged in brings its own."""
+def _merged(trees, identifier):
+    """The first of equal groups, in the place of the others: what was dragged or pasted in brings its own."""
     first, *others = trees
     for tree in others:
         tree.user_remap(first)
         bpy.data.node_groups.remove(tree)
+    if others and identifier in FAST_OF:
+        node_group(FAST_OF[identifier])  # the others brought one of that, too
     return first
 
 

@@ -1,5 +1,7 @@
 """Materials that travel: saved, loaded, appended, linked, copied, without the extension, and from an older version."""
 
+import json
+
 import bpy
 import numpy as np
 import pytest
@@ -7,6 +9,7 @@ import pytest
 import addon
 from addon import api
 from addon.blender import groups, materials, updates
+from tests.render import old_files
 
 MADE = {
     "copper": dict(preset="copper", realisation="fast"),
@@ -86,13 +89,60 @@ def test_they_render_the_same_in_another_file(saved, tmp_path, link):
 
 
 def test_they_are_copied_between_files_by_the_clipboard(saved, tmp_path):
+    """An object copied in one file and pasted into another, which has our groups too: they become one again."""
     file, pictures = saved
     bpy.ops.wm.open_mainfile(filepath=str(file))
-    bpy.data.libraries.write(str(tmp_path / "copied.blend"), {bpy.data.materials["copper exact"]})
+    bpy.data.objects["Ball"].data.materials[0] = bpy.data.materials["copper exact"]
+    bpy.ops.object.select_all(action="DESELECT")
+    bpy.data.objects["Ball"].select_set(True)
+    assert bpy.ops.view3d.copybuffer() == {"FINISHED"}
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    with bpy.data.libraries.load(str(tmp_path / "copied.blend")) as (_, target):
-        target.materials = ["copper exact"]
-    np.testing.assert_array_equal(picture(target.materials[0], tmp_path), pictures["copper exact"])
+    gold = api.create_material(preset="gold", realisation="exact")
+    assert bpy.ops.view3d.pastebuffer() == {"FINISHED"}
+    bpy.data.objects.remove(bpy.data.objects["Ball"])
+    pasted = bpy.data.materials["copper exact"]
+    assert materials.record_of(pasted)["title"] == "Copper"
+    np.testing.assert_array_equal(picture(pasted, tmp_path), pictures["copper exact"])
+    api.create_material(preset="silver", realisation="exact")
+    assert {tree.name for tree in bpy.data.node_groups} == {"Cook-Torrance Exact", "Cook-Torrance Fast"}
+    assert materials.our_node(pasted).node_tree == materials.our_node(gold).node_tree
+
+
+@pytest.fixture
+def of_blender_4_5(empty):
+    """The file that Blender 4.5 saved, opened."""
+    bpy.ops.wm.open_mainfile(filepath=str(old_files.FILE))
+    assert bpy.data.version[:2] == (4, 5)
+    return json.loads(old_files.COLOURS.read_text(encoding="utf-8"))
+
+
+def test_a_file_of_blender_4_5_renders_the_same_without_the_extension(of_blender_4_5, tmp_path):
+    """Every model and realisation; the noise of the ball's mean colour is 0.2 %."""
+    assert not hasattr(bpy.types.WindowManager, "facet_film")
+    now = old_files.colours(tmp_path)
+    assert len(now) == len(api.MODELS) * len(api.REALISATIONS)
+    for name, then in of_blender_4_5.items():
+        np.testing.assert_allclose(now[name], then, rtol=0.006, err_msg=name)
+
+
+def test_materials_of_a_file_of_blender_4_5_can_be_worked_on(of_blender_4_5, tmp_path):
+    addon.register()
+    try:
+        if updates.outdated_groups():
+            assert bpy.ops.facet_film.update() == {"FINISHED"}
+        for name in of_blender_4_5:
+            material = bpy.data.materials[name]
+            model, _, realisation = name.partition(" ")
+            assert (materials.model_of(material), materials.realisation_of(material)) == (model, realisation)
+            parameters = materials.parameters_of(material)
+            if realisation != "exact":
+                api.switch_realisation(material, "exact")
+                assert materials.parameters_of(material).specular == parameters.specular
+        now = old_files.colours(tmp_path)
+        for name in of_blender_4_5:
+            np.testing.assert_allclose(now[name], of_blender_4_5[f"{name.split()[0]} exact"], rtol=0.006, err_msg=name)
+    finally:
+        addon.unregister()
 
 
 def test_an_appended_group_takes_the_place_of_its_equal(saved):
