@@ -10,7 +10,7 @@ that light sampling reaches.  The diffuse part is a native Diffuse BSDF.
 from ..operands import widen
 from ..reflectance.layered_rgb import rho_d_eq16
 from ..reflectance.layered_rgb_sampler import (
-    DEFAULT_WIDTH, draw, kernel, narrowed_exponent, proposal, roughness_and_anisotropy, tapered_width, weight,
+    DEFAULT_WIDTH, draw, kernel, narrowed, proposal, roughness_and_anisotropy, tapered_width, weight,
 )
 from .builder import GroupBuilder
 from .layered_inputs import layered_inputs, normals
@@ -46,16 +46,19 @@ def _drawn_lobe(builder, sockets, n0, n1):
     """The Glossy BSDF, mirror or narrow lobe, about the H of a drawn L."""
     view, r1 = builder.incoming(), sockets.r1
     lobes = proposal(view, n0, n1, r1, sockets.e0, sockets.e1)
-    with builder.frame("Width"):
-        width = tapered_width(lobes, sockets.width)
-        e0, e1 = narrowed_exponent(sockets.e0, width), narrowed_exponent(sockets.e1, width)
+    narrow = narrowed(lobes, r1, sockets.e0, sockets.e1, _width(builder, lobes, sockets))
     with builder.frame("Draw L"):
         numbers = [builder.random(number) for number in (LOBE, COSINE, AZIMUTH)]
-    drawn = draw(lobes, view, n0, n1, r1, e0, e1, *numbers)
-    colour = weight(lobes, drawn, view, n0, n1, r1, sockets.d, sockets.wavelengths, e0, e1,
-                    sockets.published, width)
-    lobe = kernel(drawn, view, width)
-    roughness, anisotropy = roughness_and_anisotropy(lobe.slope_in, lobe.slope_across)
+    drawn = draw(lobes, narrow, view, n0, n1, r1, *numbers)
+    colour = weight(lobes, narrow, drawn, view, n0, n1, r1, sockets.d, sockets.wavelengths, sockets.e0, sockets.e1,
+                    sockets.published)
+    lobe = kernel(drawn, view, n0)
+    roughness, anisotropy = roughness_and_anisotropy(lobe.slope_along, lobe.slope_across)
     return builder.node("ShaderNodeBsdfAnisotropic", {
         "Color": colour * widen(sockets.specular), "Roughness": roughness, "Anisotropy": anisotropy,
-        "Normal": lobe.normal, "Tangent": view}, distribution="BECKMANN")
+        "Normal": lobe.normal, "Tangent": lobe.tangent}, distribution="BECKMANN")
+
+
+def _width(builder, lobes, sockets):
+    with builder.frame("Narrowed"):
+        return tapered_width(lobes, sockets.width)

@@ -31,7 +31,7 @@ from .directions import PI
 __all__ = [
     "WAVELENGTHS", "R0",
     "squared", "fifth_power", "cos_refracted", "inner_products",
-    "phase_eq3", "rho_eq5", "reflected_eq6", "fresnel_eq7", "f_eq8", "transmission_eq9",
+    "phase_eq3", "rho_eq5", "rho_of_parts", "reflected_eq6", "fresnel_eq7", "f_eq8", "transmission_eq9",
     "transmitted_eq10", "layer_is_reached",
     "rho_d_eq11", "r_d_eq12", "t_d_eq13", "mean_cosine_eq14", "phase_d_eq15", "rho_d_eq16",
     "lobe_scale", "layered_lobes", "layered_specular", "layered_diffuse", "layered_rgb", "tilted_normal",
@@ -123,7 +123,16 @@ def rho_eq5(r, t, phase):
     >>> float(rho_eq5(0.25, 0.25, 0.0))
     0.5
     """
-    return (r + t + 2.0 * cos(2.0 * phase) * sqrt(r * t)) * 0.5
+    return rho_of_parts(r, t, sqrt(r * t), phase)
+
+
+def rho_of_parts(r, t, root, phase):
+    """Eq. 5 with √(R T) given as root, all ``(..., 3)``.
+
+    >>> float(rho_of_parts(0.25, 0.25, 0.25, 0.0))
+    0.5
+    """
+    return (r + t + 2.0 * cos(2.0 * phase) * root) * 0.5
 
 
 @term("R (6)")

@@ -131,9 +131,10 @@ def layered_density(angle, deviation, **changed):
     # The azimuth counts from the world's X axis along the tile, which is the tile's own.
     n1 = layered.tilted_normal(UP, EAST, NORTH, deviation, 0.0)
     lobes = layered_sampler.proposal(v, UP, n1, r1, e0, e1)
+    narrow = layered_sampler.narrowed(lobes, r1, e0, e1, 0.0)
     cosines = layered.inner_products(bin_centres(), v, UP, n1, r1)
     lit = layered.layered_specular(cosines, r1, p["thickness"], layered.WAVELENGTHS, e0, e1).max(axis=-1) > 0.0
-    return np.where(lit, layered_sampler._density(lobes, cosines, r1, e0, e1), 0.0)
+    return np.where(lit, layered_sampler._density(lobes, narrow, cosines, r1), 0.0)
 
 
 @pytest.mark.parametrize("angle, deviation", [(0.0, 0.0), (0.7, 0.0), (0.4, 0.17), (-0.5, 0.17)])

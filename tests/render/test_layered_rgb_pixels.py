@@ -8,7 +8,7 @@ import pytest
 from addon.reflectance import layered_rgb as layered
 from tests.render import probes
 from tests.render.layered_scenes import (
-    TILE_ANGLES, Reference, furnace_means, furnace_tiles, material, ring_means, sphere_reference, tile_normal,
+    TILE_ANGLES, Reference, furnace_means, furnace_tiles, material, ring_means, rings, sphere_reference, tile_normal,
 )
 
 FIGURE_3 = dict(ior=(1.4, 1.45, 1.6), exponent_r=90.0, exponent_t=170.0, diffuse=0.0)
@@ -34,6 +34,7 @@ QUADRATURE = 3e-4
 DISC = 1e-3
 """Of the reference's quadrature over the sun's disc and the pixel."""
 LAMP_SPHERE, LAMP_SAMPLES = 48, 1500
+LIGHT_COMPARED = 0.85
 
 
 def furnace(realisation, samples=64, seeds=SEEDS, **parameters):
@@ -122,26 +123,32 @@ def render_only(scene, pixels):
     settings.border_min_y, settings.border_max_y = rows.min() / size, (rows.max() + 1) / size
 
 
-@pytest.mark.parametrize("realisation, name", [
-    ("exact", "parallel, 70 nm"), ("exact", "10 degrees, 92 nm"), ("exact", "14 degrees, 170 nm"),
-    ("osl", "parallel, 70 nm"), ("osl", "10 degrees, 92 nm")])
-def test_lamp_of_no_size_at_the_default_width(realisation, name, record_property):
-    """A sun of angle 0 lights the default width within 3 % of the formula in the mean of every ring."""
-    scene = probes.empty_scene(LAMP_SPHERE, samples=LAMP_SAMPLES, osl=realisation == "osl")
+@pytest.mark.parametrize("realisation, name, polar, times", [
+    ("exact", "parallel, 70 nm", 48.0, 1), ("exact", "parallel, 15 nm", 60.0, 4), ("exact", "parallel, 400 nm", 75.0, 4),
+    ("exact", "10 degrees, 92 nm", 48.0, 1), ("exact", "10 degrees, 92 nm", 72.0, 1),
+    ("exact", "14 degrees, 170 nm", 20.0, 1), ("exact", "14 degrees, 170 nm", 72.0, 1),
+    ("osl", "parallel, 70 nm", 48.0, 1), ("osl", "10 degrees, 92 nm", 48.0, 1), ("osl", "14 degrees, 170 nm", 72.0, 1)])
+def test_lamp_of_no_size_at_the_default_width(realisation, name, polar, times, record_property):
+    """A sun of angle 0 lights the default width within 3 % of the formula in the mean of every ring.
+
+    Of those that the samples tell within 1.5 %; darker ones are in the unit tests, by quadrature.
+    """
+    scene = probes.empty_scene(LAMP_SPHERE, samples=times * LAMP_SAMPLES, osl=realisation == "osl")
     probes.add_sphere(material(realisation, **SETTINGS[name]))
-    towards = probes.add_sun(scene, math.radians(48.0), diameter=0.0)  # its highlight lies in two rings
+    towards = probes.add_sun(scene, math.radians(polar), diameter=0.0)
     reference, mask = sphere_reference(Reference.of(**SETTINGS[name]), LAMP_SPHERE, towards, 0.0, subsamples=8)
     highlight = mask & (reference.max(axis=-1) > 0.005 * reference.max())
     render_only(scene, highlight)
     pictures = probes.render_seeds(scene, 6)
     found, expected = (ring_means(seen * highlight[..., None], mask) for seen in (pictures, reference))
-    bright = expected > 0.02 * expected.max()
-    off = (found.mean(axis=0) / np.maximum(expected, 1e-9) - 1.0)[bright]
-    error = (found.std(axis=0, ddof=1) / math.sqrt(len(found)) / np.maximum(expected, 1e-9))[bright]
-    record_property("largest deviation of a ring", float(np.abs(off).max()))
-    record_property("largest standard error", float(error.max()))
-    assert bright.any(axis=0).all() and error.max() < 0.015
-    assert np.abs(off).max() < 0.03, (off, error)
+    off = found.mean(axis=0) / np.maximum(expected, 1e-9) - 1.0
+    error = found.std(axis=0, ddof=1) / math.sqrt(len(found)) / np.maximum(expected, 1e-9)
+    known = (expected > 0.02 * expected.max()) & (error < 0.015)
+    record_property("largest deviation of a ring", float(np.abs(off[known]).max()))
+    record_property("largest standard error", float(error[known].max()))
+    rings_of_light = expected * np.bincount(rings(LAMP_SPHERE)[mask])[:, None]
+    assert (rings_of_light * known).sum() > LIGHT_COMPARED * rings_of_light.sum()
+    assert np.abs(off[known]).max() < 0.03, (off, error)
 
 
 @pytest.mark.parametrize("realisation", EXACT)
