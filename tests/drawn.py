@@ -13,7 +13,10 @@ class Layout:
     texts       labels and the texts of buttons, in order
     operators   names of the operators that have a button
     properties  names of the properties that are shown; each is read, as Blender does to show it
+    enabled     whether what is in it can be used
     """
+
+    enabled = True
 
     def __init__(self, parent=None):
         for name in ("texts", "operators", "properties"):

@@ -62,6 +62,10 @@ and then nothing is changed"""
         self._end(context)
         return self._write()
 
+    def cancel(self, context):
+        """Blender opens another file or closes: nothing was changed yet."""
+        self._end(context)
+
     def _begin(self, context):
         self._viewing = viewing_of(context.window_manager.facet_film)
         self._waiting = list(measured_materials())
