@@ -30,7 +30,7 @@ help:
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make bench     measure time, noise and sizes, write out/bench.json and docs/benchmarks.md"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
-	@echo "make assets    build node groups, previews, asset library and catalogue (on Blender 4.5)"
+	@echo "make assets    build search index, node groups, previews, asset library and catalogue (on Blender 4.5)"
 	@echo "make setup     only make the environment that the others use ($(VENV))"
 
 setup:
@@ -66,6 +66,7 @@ package: setup
 
 assets:
 	$(MAKE) setup BPY=4.5 VENV=$(OLDEST)
+	$(OLDEST)/bin/python tools/build_search.py
 	$(OLDEST)/bin/python tools/build_groups.py
 	$(OLDEST)/bin/python tools/render_previews.py
 	$(OLDEST)/bin/python tools/build_assets.py

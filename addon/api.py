@@ -63,7 +63,7 @@ def create_material(model="cook_torrance", *, preset=None, realisation="fast", n
     choice("model", model, MODELS)
     choice("realisation", realisation, REALISATIONS)
     if name is not None and (not isinstance(name, str) or not name):
-        raise FacetFilmError(f"name must be a text with at least one letter, not {name!r}.")
+        raise FacetFilmError("name must be a text with at least one letter, not {text!r}.", text=name)
     by_f82 = False
     if model == "layered_rgb":
         checked, record = layered_from_preset(preset, parameters)
@@ -96,8 +96,8 @@ def switch_realisation(material, realisation):
     choice("realisation", realisation, REALISATIONS)
     model = materials.model_of(material)
     if model is None:
-        raise FacetFilmError(f"{material.name} is not a material of Facet & Film: make one with create_material() "
-                             "or Bake Spectral Preset.")
+        raise FacetFilmError("{material} is not a material of Facet & Film: make one with create_material() "
+                             "or Bake Spectral Preset.", material=material.name)
     _require_osl(realisation)
     baked_again = _baked_again(material, realisation) if model == "cook_torrance" else None
     if baked_again is None:
@@ -120,7 +120,7 @@ def rebaked(material, viewing=None):
     from .blender import materials
     record = materials.record_of(material)
     if materials.model_of(material) != "cook_torrance" or "conductor" not in record:
-        raise FacetFilmError(f"{material.name} holds no measurement: bake a Cook-Torrance preset first.")
+        raise FacetFilmError("{material} holds no measurement: bake a Cook-Torrance preset first.", material=material.name)
     options = _viewing_of(record) if viewing is None else viewing
     baked, by_f82 = _baked_for(measurement_of(record), materials.realisation_of(material), options)
     new = baked.cook_torrance_parameters()

@@ -7,7 +7,29 @@ __all__ = ["FacetFilmError", "number", "numbers_of", "choice"]
 
 
 class FacetFilmError(ValueError):
-    """Input that cannot be used: one sentence naming the thing, its range and the way out."""
+    """Input that cannot be used: one sentence naming the thing, its range and the way out.
+
+    sentence  what is wrong, with {names} of the values that stand in it: what a translation is looked up by
+    values    those; a tuple is a choice of names, and `name` is what the thing is called in the interface
+    """
+
+    def __init__(self, sentence, **values):
+        self.sentence, self.values = sentence, values
+        super().__init__(self.said())
+
+    def said(self, translate=str):
+        """The whole sentence; `translate` takes English, with {names} as it stands in the source, to another language.
+
+        >>> error = FacetFilmError("{name} {value!r} is unknown", name="preset", value="coper")
+        >>> error.said({"preset": "Voreinstellung", "{name} {value!r} is unknown": "{name} {value!r} fehlt"}.get)
+        "Voreinstellung 'coper' fehlt"
+        """
+        if not self.values:
+            return translate(self.sentence)
+        shown = {key: translate(value) if key == "name" else
+                 translate(" or ").join(map(repr, value)) if isinstance(value, tuple) else value
+                 for key, value in self.values.items()}
+        return translate(self.sentence).format(**shown)
 
 
 def number(name, value, low=-math.inf, high=math.inf, *, above=None, below=None, unit=""):
@@ -62,7 +84,9 @@ def choice(name, value, valid):
     if isinstance(value, str) and value in valid:
         return value
     import difflib
-    near = difflib.get_close_matches(str(value), valid, 3, 0.5)
-    hint = "; did you mean " + " or ".join(map(repr, near)) + "?" if near else ";"
+    near = tuple(difflib.get_close_matches(str(value), valid, 3, 0.5))
     shown = ", ".join(map(repr, valid[:12])) + (", …" if len(valid) > 12 else "")
-    raise FacetFilmError(f"{name} {value!r} is unknown{hint} Valid: {shown}.")
+    if near:
+        raise FacetFilmError("{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.",
+                             name=name, value=value, near=near, valid=shown)
+    raise FacetFilmError("{name} {value!r} is unknown; Valid: {valid}.", name=name, value=value, valid=shown)

@@ -188,11 +188,12 @@ def _dataset_of(what):
             raise
         return found[0].dataset
     if not preset.dataset:
-        raise FacetFilmError(f"{preset.title} has no dataset of the database, so there is nothing to compare: its "
-                             "values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.")
+        raise FacetFilmError("{preset} has no dataset of the database, so there is nothing to compare: its "
+                             "values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.",
+                             preset=preset.title)
     if dataset not in optical_constants.dataset_ids():
         raise FacetFilmError(
-            f"{dataset or what!r} is no dataset of the database; name one, or a material of it.")
+            "{dataset!r} is no dataset of the database; name one, or a material of it.", dataset=dataset or what)
     return dataset
 
 

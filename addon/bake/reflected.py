@@ -154,14 +154,15 @@ def material(what):
         if not fitting:
             raise
         some = ", ".join(repr(found.id) for found in fitting[:3]) + (", …" if len(fitting) > 3 else "")
-        raise FacetFilmError(f"preset {what!r} is unknown; what fits these words: {some}.") from None
+        raise FacetFilmError("preset {preset!r} is unknown; what fits these words: {found}.",
+                             preset=what, found=some) from None
     return preset, presets.constants(preset)
 
 
 def check_named(what):
     """Raise FacetFilmError for anything that can be no material: neither a name nor OpticalConstants."""
     if not isinstance(what, (str, optical_constants.OpticalConstants)):
-        raise FacetFilmError(f"A material is a preset's name or a dataset's id, not {what!r}.")
+        raise FacetFilmError("A material is a preset's name or a dataset's id, not {value!r}.", value=what)
 
 
 def _unnamed(constants):

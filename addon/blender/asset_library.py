@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 
 from . import compat
 
@@ -43,7 +44,7 @@ class FACET_FILM_OT_add_asset_library(bpy.types.Operator):
     def poll(cls, _context):
         """Off where it is there already."""
         if ours():
-            cls.poll_message_set("The library is in Preferences, File Paths already")
+            cls.poll_message_set(rpt_("The library is in Preferences, File Paths already"))
             return False
         return True
 
@@ -51,7 +52,7 @@ class FACET_FILM_OT_add_asset_library(bpy.types.Operator):
         """Point the preferences at the folder that came with the extension."""
         context.preferences.filepaths.asset_libraries.new(name=NAME, directory=str(folder()))
         context.preferences.is_dirty = True
-        self.report({"INFO"}, f"Open an Asset Browser and choose the library {NAME}: drag a material onto an object")
+        self.report({"INFO"}, rpt_("Open an Asset Browser and choose the library {:s}: drag a material onto an object").format(NAME))
         return {"FINISHED"}
 
 
@@ -65,14 +66,14 @@ class FACET_FILM_OT_remove_asset_library(bpy.types.Operator):
     def poll(cls, _context):
         """Off where it is not there."""
         if not ours():
-            cls.poll_message_set("The library is not in the preferences")
+            cls.poll_message_set(rpt_("The library is not in the preferences"))
             return False
         return True
 
     def execute(self, _context):
         """Take off every entry that points into this extension."""
         detach()
-        self.report({"INFO"}, f"The library {NAME} is no longer in the preferences")
+        self.report({"INFO"}, rpt_("The library {:s} is no longer in the preferences").format(NAME))
         return {"FINISHED"}
 
 

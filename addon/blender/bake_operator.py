@@ -4,6 +4,7 @@ from contextlib import contextmanager
 from types import SimpleNamespace
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
@@ -62,7 +63,7 @@ class FACET_FILM_OT_bake_preset(OnActiveObject, PanelSettings, Viewing, bpy.type
                     self.model, preset=self.preset, realisation=self.realisation, material=target.material,
                     viewing=viewing_of(self))
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         left_out = put_on_selected(context)
         said = said_of(context.active_object.active_material)
@@ -96,7 +97,7 @@ class FACET_FILM_OT_rebake(PanelSettings, Viewing, bpy.types.Operator):
         try:
             rebake(active_material(context), viewing_of(self))
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         self.report({"INFO"}, said_of(active_material(context)))
         return {"FINISHED"}
@@ -171,7 +172,8 @@ def said_of(material):
     said = rpt_("{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}").format(
         record["title"], record["source"]["dataset"] or record["name"], record["conductor"]["delta_e_2000_max"])
     if record["gamut"]["outside"]:
-        said += rpt_("; outside the gamut, mapped by {:s}").format(record["gamut"]["method"])
+        said += rpt_("; outside the gamut, mapped by {:s}").format(
+            iface_(record["gamut"]["method"].capitalize()))
     return said
 
 

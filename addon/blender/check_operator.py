@@ -1,6 +1,7 @@
 """The checker and the spread of measurements, asked from the panel."""
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
 
@@ -27,21 +28,21 @@ class _ShowsText:
         self.ask(self.layout)
         column = self.layout.box().column(align=True)
         for line in self.found().splitlines():
-            column.label(text=line)
+            column.label(text=line, translate=False)
 
     def found(self):
         """What was found, or why nothing was, as text."""
         try:
             return self.answer()
         except FacetFilmError as error:
-            return str(error)
+            return error.said(rpt_)
 
     def execute(self, _context):
         """From a script: report what was found."""
         try:
             self.report({"INFO"}, self.answer())
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         return {"FINISHED"}
 

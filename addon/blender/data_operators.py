@@ -36,7 +36,7 @@ class _FromConstants(OnActiveObject, PanelSettings, Viewing):
                     viewing=viewing_of(self))
             put_on_selected(context)
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         self.report({"INFO"}, said_of(context.active_object.active_material))
         return {"FINISHED"}
@@ -92,7 +92,7 @@ class FACET_FILM_OT_export(bpy.types.Operator):
         """Needs a Cook-Torrance material with a measurement."""
         material = getattr(context.active_object, "active_material", None)
         if material is None or model_of(material) != "cook_torrance" or not record_of(material):
-            cls.poll_message_set("Bake a measured material first: there is nothing to export")
+            cls.poll_message_set(rpt_("Bake a measured material first: there is nothing to export"))
             return False
         return True
 
@@ -116,7 +116,7 @@ class FACET_FILM_OT_export(bpy.types.Operator):
                     "materialx": lambda: export.materialx(baked)}[self.form]()
             written = export.write_text(bpy.path.abspath(self.filepath), text)
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         self.report({"INFO"}, rpt_("Wrote {:s}").format(str(written)))
         return {"FINISHED"}

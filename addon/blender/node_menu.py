@@ -62,7 +62,7 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
             ramp = self.group == "fresnel_ramp"
             group = create_fresnel_ramp(self.preset) if ramp else node_group(self.group)
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         for other in space.edit_tree.nodes:
             other.select = False

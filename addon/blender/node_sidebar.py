@@ -50,7 +50,7 @@ class FACET_FILM_OT_apply_to_node(PanelSettings, Viewing, bpy.types.Operator):
         try:
             write_preset(context.active_node, self.preset, viewing_of(self), context.space_data.id)
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         self.report({"INFO"}, rpt_("{:s} applied").format(self.preset))
         return {"FINISHED"}

@@ -19,7 +19,7 @@ class FacetFilmPreferences(bpy.types.AddonPreferences):
         row.operator("facet_film.verify", text="Verify on CPU", icon="CHECKMARK").device = "CPU"
         row.operator("facet_film.verify", text="Verify on GPU", icon="CHECKMARK").device = "GPU"
         if progress():
-            column.label(text=progress())
+            column.label(text=progress(), translate=False)
 
 
 CLASSES = (FacetFilmPreferences,)

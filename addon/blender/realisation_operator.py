@@ -40,7 +40,7 @@ class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
         try:
             switch_realisation(material, self.realisation)
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         missing = what_is_missing(context.scene, self.realisation)
         self.report({"WARNING" if missing else "INFO"},

@@ -77,7 +77,7 @@ and then nothing is changed"""
         try:
             self._baked.append((material, *rebaked(material, self._viewing)))
         except FacetFilmError as error:
-            self.report({"WARNING"}, str(error))
+            self.report({"WARNING"}, error.said(rpt_))
 
     def _write(self):
         for material, parameters, record, by_f82 in self._baked:

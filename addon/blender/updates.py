@@ -1,6 +1,8 @@
 """Files saved by an older version of the extension: what could be updated, and the update, on request."""
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_rpt as rpt_
 
 from .groups import GROUPS, ID_KEY, VERSION_KEY, edited, group_version, node_group
 from .materials import exchange_group
@@ -28,11 +30,12 @@ class Outdated:
     def why_not(self):
         """Why it is left as it is, or an empty text."""
         if self.newer:
-            return f"{self.tree.name} was made by a newer Facet & Film: install that one to change it"
+            return rpt_("{:s} was made by a newer Facet & Film: install that one to change it").format(self.tree.name)
         if self.tree.library is not None:
-            return f"{self.tree.name} is linked: update it in {bpy.path.basename(self.tree.library.filepath)}"
+            return rpt_("{:s} is linked: update it in {:s}").format(
+                self.tree.name, bpy.path.basename(self.tree.library.filepath))
         if edited(self.tree):
-            return f"{self.tree.name} was edited by hand and stays as it is"
+            return rpt_("{:s} was edited by hand and stays as it is").format(self.tree.name)
         return ""
 
 
@@ -97,7 +100,7 @@ class FACET_FILM_OT_update(bpy.types.Operator):
     def poll(cls, _context):
         """Off where nothing is of another version."""
         if not outdated_groups():
-            cls.poll_message_set("Everything in this file is of this version")
+            cls.poll_message_set(rpt_("Everything in this file is of this version"))
             return False
         return True
 
@@ -105,7 +108,7 @@ class FACET_FILM_OT_update(bpy.types.Operator):
         """Update, and say what was left alone and why."""
         updated, reasons = update()
         if updated:
-            self.report({"INFO"}, f"Updated {updated} node{'s' if updated != 1 else ''}")
+            self.report({"INFO"}, rpt_("Nodes updated: {:d}").format(updated))
         for reason in reasons:
             self.report({"WARNING"}, reason)
         return {"FINISHED"} if updated else {"CANCELLED"}
@@ -129,7 +132,8 @@ class FACET_FILM_PT_update(bpy.types.Panel):
         """A line a group, and the button."""
         column = self.layout.column(align=True)
         for group in outdated_groups():
-            column.label(text=f"{group.tree.name}: version {group.found}, now {group.now}", icon="FILE_REFRESH")
+            said = iface_("{:s}: version {:d}, now {:d}").format(group.tree.name, group.found, group.now)
+            column.label(text=said, icon="FILE_REFRESH", translate=False)
         self.layout.operator("facet_film.update", icon="FILE_REFRESH")
 
 

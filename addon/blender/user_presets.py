@@ -105,11 +105,11 @@ class FACET_FILM_OT_apply_user_preset(OnActiveObject, bpy.types.Operator):
     def execute(self, context):
         """Read the file, put the material in the slots."""
         try:
-            text = Path(self.filepath).read_text(encoding="utf-8")
+            text = _text_of(self.filepath)
             with target_material(context.active_object) as target:
                 target.material = material_of(text, target.material)
-        except (FacetFilmError, OSError, UnicodeDecodeError) as error:
-            self.report({"ERROR"}, str(error))
+        except FacetFilmError as error:
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         put_on_selected(context)
         material = context.active_object.active_material
@@ -154,6 +154,13 @@ class FACET_FILM_OT_rename_user_preset(bpy.types.Operator):
             return {"CANCELLED"}
         Path(source).rename(target)
         return {"FINISHED"}
+
+
+def _text_of(path):
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        raise FacetFilmError("The preset {file!r} cannot be read.", file=path) from None
 
 
 def _saved(text=""):

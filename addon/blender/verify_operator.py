@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
 
@@ -51,11 +52,11 @@ and open the report. Takes one to five minutes; Esc stops it"""
     def poll(cls, _context):
         """Only in an installed Blender, and one at a time."""
         if not bpy.app.binary_path:
-            cls.poll_message_set("Runs in a second Blender, which Blender as a Python module lacks: "
-                                 "run python -m addon verify")
+            cls.poll_message_set(rpt_("Runs in a second Blender, which Blender as a Python module lacks: "
+                                      "run python -m addon verify"))
             return False
         if _state["process"] is not None:
-            cls.poll_message_set("A verification is running")
+            cls.poll_message_set(rpt_("A verification is running"))
             return False
         return True
 
@@ -64,7 +65,7 @@ and open the report. Takes one to five minutes; Esc stops it"""
         try:
             process, path = self._start()
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         output, _ = process.communicate()
         return self._tell(process.returncode, output.splitlines(), path)
@@ -74,11 +75,11 @@ and open the report. Takes one to five minutes; Esc stops it"""
         try:
             self._process, self._path = self._start()
         except FacetFilmError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         import queue
         import threading
-        _state.update(process=self._process, line="Verifying: starting a second Blender …")
+        _state.update(process=self._process, line=rpt_("Verifying: starting a second Blender …"))
         self._lines, self._said = queue.Queue(), []
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
@@ -93,14 +94,14 @@ and open the report. Takes one to five minutes; Esc stops it"""
             self._process.terminate()
             self._process.wait()
             self._end(context)
-            self.report({"WARNING"}, "The verification was stopped; there is no report")
+            self.report({"WARNING"}, rpt_("The verification was stopped; there is no report"))
             return {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         finished = not self._reader.is_alive() and self._process.poll() is not None
         while not self._lines.empty():
             self._said.append(self._lines.get())
-            _state["line"] = f"Verifying {self._said[-1]}"
+            _state["line"] = rpt_("Verifying {:s}").format(self._said[-1])
         self._show(context)
         if not finished:
             return {"PASS_THROUGH"}
@@ -119,14 +120,14 @@ and open the report. Takes one to five minutes; Esc stops it"""
             return subprocess.Popen(command(path, self.device), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                     stderr=subprocess.STDOUT, text=True, encoding="utf-8", errors="replace"), path
         except OSError as error:
-            raise FacetFilmError(f"A second Blender could not be started: {error.strerror or error}") from None
+            raise FacetFilmError("A second Blender could not be started: {why}", why=error.strerror or error) from None
 
     def _read(self):
         for line in self._process.stdout:
             self._lines.put(line.strip())
 
     def _show(self, context):
-        context.workspace.status_text_set(progress() + "   (Esc stops)")
+        context.workspace.status_text_set(progress() + rpt_("   (Esc stops)"))
         for window in context.window_manager.windows:
             for area in window.screen.areas:
                 if area.type == "PREFERENCES":
@@ -141,8 +142,8 @@ and open the report. Takes one to five minutes; Esc stops it"""
         """Report the first line of the report, and open it."""
         verdict = next((line for line in reversed(said) if line.startswith(("Green", "Not green"))), None)
         if verdict is None:
-            reason = said[-1] if said else "it said nothing"
-            self.report({"ERROR"}, f"The second Blender ended with status {status}: {reason}")
+            reason = said[-1] if said else rpt_("it said nothing")
+            self.report({"ERROR"}, rpt_("The second Blender ended with status {:d}: {:s}").format(status, reason))
             return {"CANCELLED"}
         self.report({"INFO"} if status == 0 else {"ERROR"}, verdict)
         if not bpy.app.background:

@@ -27,12 +27,13 @@ def write_text(path, content):
             shutil.copymode(target, aside)
         os.replace(aside, target)
     except FileExistsError:
-        raise FacetFilmError(f"{target!r} is being written already; remove {aside!r} if it is not.") from None
+        raise FacetFilmError("{file!r} is being written already; remove {aside!r} if it is not.",
+                             file=target, aside=aside) from None
     except OSError as error:
         if os.path.exists(aside):
             os.remove(aside)
         why = (error.strerror or "an unknown reason").lower()
-        raise FacetFilmError(f"{target!r} cannot be written: {why}; name another place.") from None
+        raise FacetFilmError("{file!r} cannot be written: {why}; name another place.", file=target, why=why) from None
     return os.fspath(path)
 
 
@@ -44,11 +45,11 @@ def _target(path):
     except (TypeError, ValueError):
         given = target = ""
     if not given or not isinstance(given, str):
-        raise FacetFilmError(f"A file to write is named by its path, not by {path!r}.")
+        raise FacetFilmError("A file to write is named by its path, not by {path!r}.", path=path)
     if os.path.isdir(target):
-        raise FacetFilmError(f"{given!r} is a folder; name a file in it.")
+        raise FacetFilmError("{file!r} is a folder; name a file in it.", file=given)
     if not os.path.isdir(os.path.dirname(target)):
-        raise FacetFilmError(f"The folder of {given!r} does not exist; make it first, or name another.")
+        raise FacetFilmError("The folder of {file!r} does not exist; make it first, or name another.", file=given)
     if os.path.exists(target) and not (os.path.isfile(target) and os.access(target, os.W_OK)):
-        raise FacetFilmError(f"{given!r} is protected or no ordinary file; name another.")
+        raise FacetFilmError("{file!r} is protected or no ordinary file; name another.", file=given)
     return target

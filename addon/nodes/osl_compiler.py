@@ -22,7 +22,7 @@ def compile_script(node):
     from cycles import osl
     said = []
     if not osl.update_script_node(node, lambda _level, message: said.append(message)):
-        raise FacetFilmError(f"The shader {node.script.name} does not compile: {'; '.join(said)}")
+        raise FacetFilmError("The shader {shader} does not compile: {why}", shader=node.script.name, why="; ".join(said))
 
 
 def why_no_osl():

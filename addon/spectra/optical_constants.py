@@ -127,16 +127,20 @@ def load(dataset):
 def _refuse(dataset, left_out, known):
     """Raise the error of a dataset that is not in the table."""
     if dataset in left_out["no n"]:
-        raise FacetFilmError(f"Dataset {dataset!r} has k but no n: no reflectance follows; choose another.")
+        raise FacetFilmError("Dataset {dataset!r} has k but no n: no reflectance follows; choose another.",
+                             dataset=dataset)
     if dataset in left_out["outside the visible"]:
-        raise FacetFilmError(f"Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; "
-                             "choose another.")
+        raise FacetFilmError("Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; "
+                             "choose another.", dataset=dataset)
     book = "/".join(str(dataset).split("/")[:2]) + "/"
     same_material = [other for other in known if other.startswith(book)]
     near = difflib.get_close_matches(str(dataset), same_material or known, 3, 0.6) or same_material[:3]
-    hint = f"; did you mean {' or '.join(map(repr, near))}?" if near else "."
-    raise FacetFilmError(f"dataset {dataset!r} is unknown{hint} Datasets are named 'shelf/book/page', "
-                         "as refractiveindex.info does; a search finds them.")
+    if near:
+        raise FacetFilmError("dataset {dataset!r} is unknown; did you mean {near}? Datasets are named "
+                             "'shelf/book/page', as refractiveindex.info does; a search finds them.",
+                             dataset=dataset, near=tuple(near))
+    raise FacetFilmError("dataset {dataset!r} is unknown. Datasets are named 'shelf/book/page', "
+                         "as refractiveindex.info does; a search finds them.", dataset=dataset)
 
 
 @functools.lru_cache(maxsize=1)

@@ -89,7 +89,7 @@ def find(name):
     ('titanium_nitride', 'tin', 'tin')
     """
     if not isinstance(name, str):
-        raise FacetFilmError(f"A preset is called by its name, such as 'copper', not {name!r}.")
+        raise FacetFilmError("A preset is called by its name, such as 'copper', not {value!r}.", value=name)
     if name in all_presets():
         return all_presets()[name]
     as_spelt, by_plain_name = _by_any_name()

@@ -8,11 +8,26 @@ import bpy
 import pytest
 
 import addon
-from addon.blender import registration
+from addon import api, export
+from addon.bake import spread
+from addon.blender import bake_operator, groups, registration
 from addon.blender.translations import LANGUAGES
+from addon.errors import FacetFilmError
+from addon.spectra.illuminants import TITLES
 
-ROOM = Path(__file__).resolve().parents[2] / "addon" / "blender"
+ADDON = Path(__file__).resolve().parents[2] / "addon"
+ROOM = ADDON / "blender"
 MARKED = {"iface_", "rpt_", "tip_", "n_"}
+ENGLISH_ONLY = {"cli.py", "cli_text.py", "parameters.py", "layered_parameters.py", "spectra/dispersion.py",
+                "spectra/readers/reading.py", "spectra/readers/text.py", "export/materialx.py", "verify/running.py"}
+"""Where errors are of scripts, of the shell, or of the lines of a file that someone imports: those stay English."""
+NOT_SHOWN = {
+    "# A material of Facet & Film, as JSON in a comment of one line.\n#",
+    "Thin Film Thickness", "Thin Film IOR",  # sockets of Blender's
+    "The Fast realisation, for an EEVEE material output",  # kept in the group, whatever the language
+}
+"""Sentences of addon/blender that nobody sees in the interface."""
+SENTENCE = re.compile(r"[A-Za-z]{2,} +[A-Za-z&]+ +[A-Za-z]{2,}")
 LEFT_AS_THEY_ARE = {"Facet & Film", "n", "k", "F0", "Rec.709", "Rec.2020", "ACEScg", "Cook–Torrance", "Layered RGB",
                     "OSL", "JSON", "MaterialX", "CPU", "GPU", "Linear Rec.2020", "CIE 1931, 2°", "CIE 1964, 10°",
                     "conductor_bsdf and generalized_schlick_bsdf"}
@@ -47,7 +62,7 @@ def texts_in_source():
     """Literals handed to the marking functions, and `text=` of buttons and labels."""
     found = set()
     for file in ROOM.glob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree_of(file)):
             if not isinstance(node, ast.Call):
                 continue
             if getattr(node.func, "id", "") in MARKED:
@@ -57,12 +72,63 @@ def texts_in_source():
     return found
 
 
+def errors_of_artists():
+    """The sentences of errors that the panels' operators can meet, and what is said of a Blender without OSL."""
+    returned = {node.value.value for node in ast.walk(tree_of(ADDON / "nodes" / "osl_compiler.py"))
+                if isinstance(node, ast.Return) and isinstance(node.value, ast.Constant)}
+    return {" or ", "preset"} | returned | {sentence.value for _, sentence in raised() if isinstance(sentence, ast.Constant)}
+
+
+def tree_of(file):
+    return ast.parse(file.read_text(encoding="utf-8"))
+
+
+def raised():
+    """(place, sentence's syntax) of every FacetFilmError of the files that are not English only."""
+    for file in ADDON.rglob("*.py"):
+        name = file.relative_to(ADDON).as_posix()
+        for node in ast.walk(tree_of(file)) if name not in ENGLISH_ONLY else ():
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "FacetFilmError":
+                yield f"{name}, line {node.lineno}", node.args[0]
+
+
+def names_of_sockets():
+    """What the panel calls the parameters, as the groups do."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    return {name for identifier in groups.GROUPS if "osl" not in identifier
+            for name in groups.input_names(groups.node_group(identifier))}
+
+
 @pytest.fixture(scope="module")
 def texts():
     addon.register()
-    found = texts_of_classes() | texts_in_source()
+    found = texts_of_classes() | texts_in_source() | errors_of_artists() | names_of_sockets() | set(TITLES.values())
     addon.unregister()
     return {text for text in found if text and text not in LEFT_AS_THEY_ARE}
+
+
+def sentences_in(file):
+    """(line, text) of what looks like a sentence in a file: literals, and the fixed parts of f-strings; no docstrings."""
+    tree = tree_of(file)
+    about = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in about:
+            if SENTENCE.search(node.value):
+                yield node.lineno, node.value
+
+
+@pytest.mark.parametrize("file", sorted(ROOM.glob("*.py")), ids=lambda file: file.name)
+def test_no_sentence_of_the_interface_is_left_unmarked(texts, file):
+    """Each stands as it is in the tables: marked, or a label or description; none is put together by an f-string."""
+    unmarked = {f"line {line}: {text}" for line, text in sentences_in(file) if text not in texts | LEFT_AS_THEY_ARE | NOT_SHOWN}
+    assert not unmarked, "\n".join(sorted(unmarked))
+
+
+def test_errors_of_artists_are_sentences_that_can_be_looked_up():
+    """With {names} and the values beside it, in place of an f-string; errors.py's numbers are of scripts."""
+    put_together = [place for place, sentence in raised()
+                    if not isinstance(sentence, (ast.Constant, ast.Name)) and not place.startswith("errors.py")]
+    assert put_together == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -78,3 +144,38 @@ def test_no_translation_is_left_over_or_loses_a_value(texts, language):
     for text, translated in LANGUAGES[language].items():
         assert translated.strip(), text
         assert sorted(re.findall(r"\{.*?\}", text)) == sorted(re.findall(r"\{.*?\}", translated)), text
+
+
+def in_language(language):
+    """As Blender's function that looks texts up does in this language, which Blender as a module lacks."""
+    return lambda text: LANGUAGES[language].get(text, text)
+
+
+@pytest.mark.parametrize("language, preset, sentence", [
+    ("de_DE", "coper", "Voreinstellung 'coper' ist unbekannt; war 'copper' oder "),
+    ("de_DE", "copper gold", "Voreinstellung 'copper gold' ist unbekannt"),
+    ("de_DE", "main/Cu/Jonson", "Datensatz 'main/Cu/Jonson' ist unbekannt; war 'main/Cu/Johnson' oder "),
+    ("zh_HANS", "coper", "未知预设 'coper'；您是指 'copper' 或 "),
+    ("zh_HANS", "main/Cu/Jonson", "未知数据集 'main/Cu/Jonson'")])
+def test_operators_report_errors_in_the_interface_language(monkeypatch, language, preset, sentence):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.mesh.primitive_cube_add()
+    addon.register()
+    monkeypatch.setattr(bake_operator, "rpt_", in_language(language))
+    try:
+        with pytest.raises(RuntimeError) as error:
+            bpy.ops.facet_film.bake_preset(preset=preset)
+        assert sentence in str(error.value)
+    finally:
+        addon.unregister()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_an_error_in_another_language_keeps_its_values(language, tmp_path):
+    for raising, values in ((lambda: export.write_text(tmp_path, "text"), [str(tmp_path)]),
+                            (lambda: export.write_text(tmp_path / "none" / "file.csv", "text"), ["file.csv"]),
+                            (lambda: spread("teflon"), ["main/Au/Babar"]), (lambda: api.bake("xyzzy"), ["xyzzy"])):
+        with pytest.raises(FacetFilmError) as error:
+            raising()
+        said = error.value.said(in_language(language))
+        assert said != str(error.value) and all(value in said for value in values), said

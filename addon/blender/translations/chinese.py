@@ -3,16 +3,32 @@
 __all__ = ["TEXTS"]
 
 TEXTS = {
+    "   (Esc stops)":
+        "   （按 Esc 停止）",
+    " or ":
+        " 或 ",
     "0° to 90°":
         "0° 至 90°",
     "; ends held":
         "；两端保持不变",
     "; outside the gamut, mapped by {:s}":
         "；超出色域，映射方式：{:s}",
+    "A check takes one of: n with k, F0 with or without a tint, a material.":
+        "检查只接受其中之一：n 与 k、带或不带色调的 F0、一种材质。",
+    "A file to write is named by its path, not by {path!r}.":
+        "要写入的文件须以路径指定，而不是 {path!r}。",
+    "A material is a preset's name or a dataset's id, not {value!r}.":
+        "材质须为预设名称或数据集标识，而不是 {value!r}。",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "理想反射体在任何光下都呈中性，如同已适应该光的眼睛",
+    "A preset is called by its name, such as 'copper', not {value!r}.":
+        "预设以名称指定，例如 'copper'，而不是 {value!r}。",
     "A preset, or a dataset of the database":
         "预设，或数据库中的数据集",
+    "A second Blender could not be started: {why}":
+        "无法启动第二个 Blender：{why}",
+    "A verification is running":
+        "验证正在运行",
     "Adapt White":
         "适应白点",
     "Add Asset Library":
@@ -41,12 +57,16 @@ TEXTS = {
         "资产库",
     "At 0°":
         "0° 处",
+    "Azimuth":
+        "方位角",
     "Bake Spectral Preset":
         "烘焙光谱预设",
     "Bake a material into the active material slot of the active object, and put it on the other selected ones":
         "将材质烘焙到活动物体的活动材质槽，并赋予其他选中的物体",
     "Bake a measured material first: there is nothing to bake again":
         "请先烘焙实测材质：没有可重新烘焙的内容",
+    "Bake a measured material first: there is nothing to export":
+        "请先烘焙一个实测材质：没有可导出的内容",
     "Bake a preset first: this material is not one of Facet & Film":
         "请先烘焙预设：此材质不属于 Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
@@ -101,22 +121,40 @@ TEXTS = {
         "数据",
     "Dataset":
         "数据集",
+    "Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; choose another.":
+        "数据集 {dataset!r} 在可见光 400 至 700 nm 内的覆盖不足 50 nm；请另选一个。",
+    "Dataset {dataset!r} has k but no n: no reflectance follows; choose another.":
+        "数据集 {dataset!r} 只有 k 而没有 n：无法得出反射率；请另选一个。",
     "Desaturate":
         "降低饱和度",
+    "Deviation":
+        "偏角",
     "Device":
         "设备",
+    "Diffuse":
+        "漫射",
+    "Diffuse Color":
+        "漫射颜色",
     "Does this Blender render the published formulas? Find out on this machine:":
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Edge Tint":
         "边缘色调",
+    "Everything in this file is of this version":
+        "此文件中的一切都是当前版本",
     "Everything that was baked":
         "烘焙的全部内容",
     "Exact":
         "精确",
+    "Exponent R":
+        "指数 R",
+    "Exponent T":
+        "指数 T",
     "Export Measurement":
         "导出测量数据",
     "Extinction for red, green and blue":
         "红、绿、蓝的消光系数",
+    "Extinction k":
+        "消光系数 k",
     "F0 and Edge Tint":
         "F0 与边缘色调",
     "F82 Tint":
@@ -145,10 +183,16 @@ TEXTS = {
         "菲涅耳渐变",
     "Gamut":
         "色域",
+    "Gaussian":
+        "高斯",
+    "Gaussian c":
+        "高斯 c",
     "Give a preset that you saved another name":
         "为已保存的预设改名",
     "Glasses":
         "玻璃",
+    "Greatest Thickness":
+        "最大厚度",
     "Group":
         "组",
     "How the formula becomes a Cycles material":
@@ -177,6 +221,8 @@ TEXTS = {
         "Layered RGB 快速",
     "Layered RGB OSL":
         "Layered RGB OSL",
+    "Least Thickness":
+        "最小厚度",
     "Leave":
         "保留",
     "Left out, as they take no materials or are linked: {:s}":
@@ -191,6 +237,8 @@ TEXTS = {
         "线性 Rec.709，Blender 的默认值",
     "Liquids":
         "液体",
+    "Lower Normal":
+        "下层法线",
     "Make the active material slot the material that you saved":
         "将活动材质槽设为已保存的材质",
     "Material":
@@ -213,6 +261,14 @@ TEXTS = {
         "原生闭包：支持光源采样、所有设备以及 EEVEE",
     "New Name":
         "新名称",
+    "Nodes updated: {:d}":
+        "已更新节点：{:d}",
+    "Noise Detail":
+        "噪波细节",
+    "Noise Scale":
+        "噪波缩放",
+    "Normal":
+        "法线",
     "OSL Fast":
         "OSL 快速",
     "OSL needs the CPU or OptiX: change the device, or take Exact":
@@ -221,6 +277,8 @@ TEXTS = {
         "观察者",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
+    "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
+        "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
     "Other Conductors":
         "其他导体",
     "Outside: {:s}, channels moved by up to {:.3f}":
@@ -245,6 +303,8 @@ TEXTS = {
         "用于比较的预设或数据集",
     "Presets":
         "预设",
+    "Published Scale":
+        "原文尺度",
     "Re-bake":
         "重新烘焙",
     "Re-bake All Materials":
@@ -257,6 +317,10 @@ TEXTS = {
         "红、绿、蓝的正入射反射率与 F82 色调",
     "Reflectance model":
         "反射模型",
+    "Refractive Index":
+        "折射率",
+    "Refractive Index n":
+        "折射率 n",
     "Refractive index and extinction for red, green and blue":
         "红、绿、蓝的折射率与消光系数",
     "Refractive index for red, green and blue":
@@ -271,6 +335,10 @@ TEXTS = {
         "以另一种实现方式渲染此材质；所有数值与连线保留",
     "Renders by {:s}":
         "渲染方式：{:s}",
+    "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
+        "需在第二个 Blender 中运行，而作为 Python 模块的 Blender 没有：请运行 python -m addon verify",
+    "Sampling Width":
+        "采样宽度",
     "Save Preset":
         "保存预设",
     "Save the active material under a name of your own, or delete a saved one":
@@ -291,8 +359,18 @@ TEXTS = {
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
+    "Slope 1":
+        "斜率 1",
+    "Slope 2":
+        "斜率 2",
+    "Slope 3":
+        "斜率 3",
+    "Slope 4":
+        "斜率 4",
     "Small fields of view; what displays are calibrated for":
         "小视场；显示器据此校准",
+    "Specular":
+        "镜面",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
     "Sulphides":
@@ -301,14 +379,30 @@ TEXTS = {
         "切换实现方式",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "将该库从资产浏览器移除；已拖入的内容保留",
+    "Tangent":
+        "切线",
+    "Texture":
+        "纹理",
+    "Texture Share":
+        "纹理占比",
     "The Paper's Figures":
         "论文中的图",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
+    "The folder of {file!r} does not exist; make it first, or name another.":
+        "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
+    "The library is in Preferences, File Paths already":
+        "该库已在偏好设置的文件路径中",
+    "The library is not in the preferences":
+        "该库不在偏好设置中",
+    "The library {:s} is no longer in the preferences":
+        "库 {:s} 已不在偏好设置中",
     "The measured points: wavelength_nm, n, k":
         "测量点：wavelength_nm, n, k",
     "The preset to rename":
         "要重命名的预设",
+    "The preset {file!r} cannot be read.":
+        "无法读取预设 {file!r}。",
     "The processor":
         "处理器",
     "The published formula as an OSL script":
@@ -321,30 +415,58 @@ TEXTS = {
         "已发表的公式，仅用节点",
     "The scene-linear space of this file":
         "此文件的场景线性空间",
+    "The second Blender ended with status {:d}: {:s}":
+        "第二个 Blender 以状态 {:d} 结束：{:s}",
+    "The shader {shader} does not compile: {why}":
+        "着色器 {shader} 无法编译：{why}",
+    "The verification was stopped; there is no report":
+        "验证已停止；没有报告",
     "There is a preset called {:s} already":
         "已有名为 {:s} 的预设",
+    "Thickness":
+        "厚度",
     "Thickness in nanometres that varies over the surface, with its lower normal":
         "随表面变化的厚度（纳米）及其下层法线",
     "Thin layer with native closures; also in EEVEE":
         "使用原生闭包的薄层；也可用于 EEVEE",
+    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
+        "此 Blender 编译时未包含 OSL：请使用精确或快速实现，它们渲染同一材质",
+    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
+        "此 Blender 缺少 OSL 脚本所需的模块 oslquery：请使用精确或快速实现",
     "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
         "此引擎以“快速”代替：要使用此实现方式，请在渲染属性中选择 Cycles",
     "This file has no material with a measurement: bake a preset first":
         "此文件没有带测量数据的材质：请先烘焙预设",
+    "This file is no preset of Facet & Film.":
+        "此文件不是 Facet & Film 的预设。",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Towards grey of the same luminance, until inside: the hue stays":
         "朝相同亮度的灰色移动，直到进入色域：色相不变",
     "Update Materials":
         "更新材质",
+    "Vector":
+        "矢量",
     "Verify Against the Formulas":
         "对照公式验证",
     "Verify on CPU":
         "在 CPU 上验证",
     "Verify on GPU":
         "在 GPU 上验证",
+    "Verifying {:s}":
+        "正在验证 {:s}",
+    "Verifying: starting a second Blender …":
+        "正在验证：启动第二个 Blender …",
     "Wavelengths":
         "波长",
+    "Weight 1":
+        "权重 1",
+    "Weight 2":
+        "权重 2",
+    "Weight 3":
+        "权重 3",
+    "Weight 4":
+        "权重 4",
     "What to call it":
         "新的叫法",
     "What to compare":
@@ -369,8 +491,122 @@ TEXTS = {
         "已写入 {:s}",
     "You have saved no preset yet":
         "尚未保存任何预设",
+    "average daylight (superseded), 6774 K":
+        "平均日光（已弃用），6774 K",
+    "broadband fluorescent, D50 simulator, 5000 K":
+        "宽带荧光灯，D50 模拟器，5000 K",
+    "broadband fluorescent, D65 simulator, 6500 K":
+        "宽带荧光灯，D65 模拟器，6500 K",
+    "broadband fluorescent, cool white deluxe, 4150 K":
+        "宽带荧光灯，豪华冷白，4150 K",
+    "colour enhanced high pressure sodium lamp, 2510 K":
+        "显色改进型高压钠灯，2510 K",
+    "cool white fluorescent, 4230 K":
+        "冷白荧光灯，4230 K",
+    "dataset {dataset!r} is unknown. Datasets are named 'shelf/book/page', as refractiveindex.info does; a search finds them.":
+        "未知数据集 {dataset!r}。数据集按 refractiveindex.info 的方式命名为“shelf/book/page”；可用搜索查找。",
+    "dataset {dataset!r} is unknown; did you mean {near}? Datasets are named 'shelf/book/page', as refractiveindex.info does; a search finds them.":
+        "未知数据集 {dataset!r}；您是指 {near} 吗？数据集按 refractiveindex.info 的方式命名为“shelf/book/page”；可用搜索查找。",
+    "daylight fluorescent, 6350 K":
+        "日光色荧光灯，6350 K",
+    "daylight fluorescent, 6430 K":
+        "日光色荧光灯，6430 K",
+    "daylight, 5000 K":
+        "日光，5000 K",
+    "daylight, 5500 K":
+        "日光，5500 K",
+    "daylight, 6000 K":
+        "日光，6000 K",
+    "daylight, 6500 K":
+        "日光，6500 K",
+    "deluxe fluorescent, 2900 K":
+        "豪华型荧光灯，2900 K",
+    "deluxe fluorescent, 4090 K":
+        "豪华型荧光灯，4090 K",
+    "deluxe fluorescent, 4890 K":
+        "豪华型荧光灯，4890 K",
+    "direct sunlight at noon (superseded), 4874 K":
+        "正午直射阳光（已弃用），4874 K",
+    "equal energy":
+        "等能",
+    "fluorescent, D65 simulator, 6510 K":
+        "荧光灯，D65 模拟器，6510 K",
+    "halophosphate fluorescent, 2930 K":
+        "卤磷酸盐荧光灯，2930 K",
+    "halophosphate fluorescent, 3970 K":
+        "卤磷酸盐荧光灯，3970 K",
+    "halophosphate fluorescent, 6280 K":
+        "卤磷酸盐荧光灯，6280 K",
+    "high pressure metal halide lamp, 3140 K":
+        "高压金属卤化物灯，3140 K",
+    "high pressure metal halide lamp, 4000 K":
+        "高压金属卤化物灯，4000 K",
+    "high pressure metal halide lamp, 4040 K":
+        "高压金属卤化物灯，4040 K",
+    "high pressure sodium lamp, 1960 K":
+        "高压钠灯，1960 K",
+    "incandescent lamp, 2856 K":
+        "白炽灯，2856 K",
+    "indoor daylight, 5100 K":
+        "室内日光，5100 K",
+    "indoor daylight, 6600 K":
+        "室内日光，6600 K",
+    "it said nothing":
+        "没有任何输出",
+    "light white fluorescent, 4150 K":
+        "浅白荧光灯，4150 K",
+    "multi-band fluorescent, 2980 K":
+        "多基色荧光灯，2980 K",
+    "multi-band fluorescent, 3900 K":
+        "多基色荧光灯，3900 K",
+    "multi-band fluorescent, 5040 K":
+        "多基色荧光灯，5040 K",
     "n and k":
         "n 与 k",
+    "name must be a text with at least one letter, not {text!r}.":
+        "名称须为至少含一个字母的文本，而不是 {text!r}。",
+    "north sky daylight, 7500 K":
+        "北天日光，7500 K",
+    "preset":
+        "预设",
+    "preset {preset!r} is unknown; what fits these words: {found}.":
+        "未知预设 {preset!r}；与这些词相符的有：{found}。",
+    "three-band fluorescent, 2980 K":
+        "三基色荧光灯，2980 K",
+    "three-band fluorescent, 3000 K":
+        "三基色荧光灯，3000 K",
+    "three-band fluorescent, 4000 K":
+        "三基色荧光灯，4000 K",
+    "three-band fluorescent, 4010 K":
+        "三基色荧光灯，4010 K",
+    "three-band fluorescent, 4850 K":
+        "三基色荧光灯，4850 K",
+    "three-band fluorescent, 5000 K":
+        "三基色荧光灯，5000 K",
+    "three-band fluorescent, 5850 K":
+        "三基色荧光灯，5850 K",
+    "warm white fluorescent, 2940 K":
+        "暖白荧光灯，2940 K",
+    "white LED, blue with phosphor, 2730 K":
+        "白光 LED，蓝光加荧光粉，2730 K",
+    "white LED, blue with phosphor, 3000 K":
+        "白光 LED，蓝光加荧光粉，3000 K",
+    "white LED, blue with phosphor, 4100 K":
+        "白光 LED，蓝光加荧光粉，4100 K",
+    "white LED, blue with phosphor, 5110 K":
+        "白光 LED，蓝光加荧光粉，5110 K",
+    "white LED, blue with phosphor, 6600 K":
+        "白光 LED，蓝光加荧光粉，6600 K",
+    "white LED, blue with phosphor, and red, 2850 K":
+        "白光 LED，蓝光加荧光粉与红光，2850 K",
+    "white LED, red, green and blue, 2840 K":
+        "白光 LED，红绿蓝，2840 K",
+    "white LED, violet with phosphor, 2720 K":
+        "白光 LED，紫光加荧光粉，2720 K",
+    "white LED, violet with phosphor, 4070 K":
+        "白光 LED，紫光加荧光粉，4070 K",
+    "white fluorescent, 3450 K":
+        "白色荧光灯，3450 K",
     "{:d} materials baked again":
         "已重新烘焙 {:d} 个材质",
     "{:s} applied":
@@ -381,8 +617,36 @@ TEXTS = {
         "{:s} 是库重写，其节点与槽属于另一个文件：请先设为本地（物体，关系，设为本地）",
     "{:s} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{:s} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{:s} is linked: update it in {:s}":
+        "{:s} 是链接的：请在 {:s} 中更新",
     "{:s} renders by {:s}":
         "{:s} 的渲染方式：{:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
         "{:s} 不接受材质：请选择网格、曲线、曲面、文本或体积",
+    "{:s} was edited by hand and stays as it is":
+        "{:s} 已被手动编辑，保持原样",
+    "{:s} was made by a newer Facet & Film: install that one to change it":
+        "{:s} 由较新的 Facet & Film 制作：请安装该版本以修改",
+    "{:s}: version {:d}, now {:d}":
+        "{:s}：版本 {:d}，现为 {:d}",
+    "{dataset!r} is no dataset of the database; name one, or a material of it.":
+        "{dataset!r} 不是数据库中的数据集；请指定一个数据集或其中的材质。",
+    "{file!r} cannot be written: {why}; name another place.":
+        "无法写入 {file!r}：{why}；请另指定位置。",
+    "{file!r} is a folder; name a file in it.":
+        "{file!r} 是文件夹；请指定其中的文件。",
+    "{file!r} is being written already; remove {aside!r} if it is not.":
+        "{file!r} 正在写入；若并非如此，请删除 {aside!r}。",
+    "{file!r} is protected or no ordinary file; name another.":
+        "{file!r} 受保护或不是普通文件；请另指定一个。",
+    "{material} holds no measurement: bake a Cook-Torrance preset first.":
+        "{material} 不含测量数据：请先烘焙一个 Cook-Torrance 预设。",
+    "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
+        "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
+    "{name} {value!r} is unknown; Valid: {valid}.":
+        "未知{name} {value!r}；有效值：{valid}。",
+    "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
+        "未知{name} {value!r}；您是指 {near} 吗？有效值：{valid}。",
+    "{preset} has no dataset of the database, so there is nothing to compare: its values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.":
+        "{preset} 没有数据库中的数据集，因此无可比较：其数值为预设自有。请指定另一预设，或如 'main/Au/Babar' 的数据集。",
 }

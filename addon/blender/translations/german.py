@@ -3,16 +3,32 @@
 __all__ = ["TEXTS"]
 
 TEXTS = {
+    "   (Esc stops)":
+        "   (Esc bricht ab)",
+    " or ":
+        " oder ",
     "0° to 90°":
         "0° bis 90°",
     "; ends held":
         "; Enden gehalten",
     "; outside the gamut, mapped by {:s}":
         "; außerhalb des Farbraums, abgebildet mit {:s}",
+    "A check takes one of: n with k, F0 with or without a tint, a material.":
+        "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
+    "A file to write is named by its path, not by {path!r}.":
+        "Eine Datei zum Schreiben heißt nach ihrem Pfad, nicht {path!r}.",
+    "A material is a preset's name or a dataset's id, not {value!r}.":
+        "Ein Material ist der Name einer Voreinstellung oder die Kennung eines Datensatzes, nicht {value!r}.",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "Ein vollkommener Reflektor ist in jedem Licht neutral, wie für ein daran gewöhntes Auge",
+    "A preset is called by its name, such as 'copper', not {value!r}.":
+        "Eine Voreinstellung heißt nach ihrem Namen, etwa 'copper', nicht {value!r}.",
     "A preset, or a dataset of the database":
         "Eine Voreinstellung oder ein Datensatz der Datenbank",
+    "A second Blender could not be started: {why}":
+        "Ein zweites Blender ließ sich nicht starten: {why}",
+    "A verification is running":
+        "Eine Prüfung läuft",
     "Adapt White":
         "Weiß anpassen",
     "Add Asset Library":
@@ -41,12 +57,16 @@ TEXTS = {
         "Asset-Bibliothek",
     "At 0°":
         "Bei 0°",
+    "Azimuth":
+        "Azimut",
     "Bake Spectral Preset":
         "Spektrale Voreinstellung backen",
     "Bake a material into the active material slot of the active object, and put it on the other selected ones":
         "Backt ein Material in den aktiven Materialslot des aktiven Objekts und gibt es den anderen ausgewählten",
     "Bake a measured material first: there is nothing to bake again":
         "Erst ein gemessenes Material backen: Es gibt nichts neu zu backen",
+    "Bake a measured material first: there is nothing to export":
+        "Erst ein gemessenes Material backen: Es gibt nichts zu exportieren",
     "Bake a preset first: this material is not one of Facet & Film":
         "Erst eine Voreinstellung backen: Dieses Material ist keines von Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
@@ -101,22 +121,40 @@ TEXTS = {
         "Daten",
     "Dataset":
         "Datensatz",
+    "Dataset {dataset!r} covers less than 50 nm of the visible, 400 to 700 nm; choose another.":
+        "Datensatz {dataset!r} deckt weniger als 50 nm des Sichtbaren, 400 bis 700 nm; bitte einen anderen wählen.",
+    "Dataset {dataset!r} has k but no n: no reflectance follows; choose another.":
+        "Datensatz {dataset!r} hat k, aber kein n: Daraus folgt kein Reflexionsgrad; bitte einen anderen wählen.",
     "Desaturate":
         "Entsättigen",
+    "Deviation":
+        "Abweichung",
     "Device":
         "Gerät",
+    "Diffuse":
+        "Diffus",
+    "Diffuse Color":
+        "Diffuse Farbe",
     "Does this Blender render the published formulas? Find out on this machine:":
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Edge Tint":
         "Randtönung",
+    "Everything in this file is of this version":
+        "Alles in dieser Datei ist von dieser Version",
     "Everything that was baked":
         "Alles, was gebacken wurde",
     "Exact":
         "Exakt",
+    "Exponent R":
+        "Exponent R",
+    "Exponent T":
+        "Exponent T",
     "Export Measurement":
         "Messung exportieren",
     "Extinction for red, green and blue":
         "Extinktion für Rot, Grün und Blau",
+    "Extinction k":
+        "Extinktion k",
     "F0 and Edge Tint":
         "F0 und Randtönung",
     "F82 Tint":
@@ -145,10 +183,16 @@ TEXTS = {
         "Fresnel-Verlauf",
     "Gamut":
         "Farbumfang",
+    "Gaussian":
+        "Gauß-Verteilung",
+    "Gaussian c":
+        "Gauß c",
     "Give a preset that you saved another name":
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
     "Glasses":
         "Gläser",
+    "Greatest Thickness":
+        "Größte Dicke",
     "Group":
         "Gruppe",
     "How the formula becomes a Cycles material":
@@ -177,6 +221,8 @@ TEXTS = {
         "Layered RGB schnell",
     "Layered RGB OSL":
         "Layered RGB OSL",
+    "Least Thickness":
+        "Kleinste Dicke",
     "Leave":
         "Belassen",
     "Left out, as they take no materials or are linked: {:s}":
@@ -191,6 +237,8 @@ TEXTS = {
         "Lineares Rec.709, Blenders Voreinstellung",
     "Liquids":
         "Flüssigkeiten",
+    "Lower Normal":
+        "Untere Normale",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
     "Material":
@@ -213,6 +261,14 @@ TEXTS = {
         "Eingebaute Shader: mit Lichtabtastung, auf jedem Gerät und in EEVEE",
     "New Name":
         "Neuer Name",
+    "Nodes updated: {:d}":
+        "Aktualisierte Nodes: {:d}",
+    "Noise Detail":
+        "Rauschdetail",
+    "Noise Scale":
+        "Rauschgröße",
+    "Normal":
+        "Normale",
     "OSL Fast":
         "OSL schnell",
     "OSL needs the CPU or OptiX: change the device, or take Exact":
@@ -221,6 +277,8 @@ TEXTS = {
         "Beobachter",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
+    "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
+        "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
     "Other Conductors":
         "Andere Leiter",
     "Outside: {:s}, channels moved by up to {:.3f}":
@@ -245,6 +303,8 @@ TEXTS = {
         "Voreinstellung oder Datensatz zum Vergleich",
     "Presets":
         "Voreinstellungen",
+    "Published Scale":
+        "Veröffentlichte Skala",
     "Re-bake":
         "Neu backen",
     "Re-bake All Materials":
@@ -257,6 +317,10 @@ TEXTS = {
         "Reflexionsgrad bei senkrechtem Einfall und F82-Tönung für Rot, Grün und Blau",
     "Reflectance model":
         "Reflexionsmodell",
+    "Refractive Index":
+        "Brechungsindex",
+    "Refractive Index n":
+        "Brechungsindex n",
     "Refractive index and extinction for red, green and blue":
         "Brechungsindex und Extinktion für Rot, Grün und Blau",
     "Refractive index for red, green and blue":
@@ -271,6 +335,10 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
+        "Läuft in einem zweiten Blender, das Blender als Python-Modul fehlt: python -m addon verify aufrufen",
+    "Sampling Width":
+        "Abtastbreite",
     "Save Preset":
         "Voreinstellung speichern",
     "Save the active material under a name of your own, or delete a saved one":
@@ -291,8 +359,18 @@ TEXTS = {
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
+    "Slope 1":
+        "Steigung 1",
+    "Slope 2":
+        "Steigung 2",
+    "Slope 3":
+        "Steigung 3",
+    "Slope 4":
+        "Steigung 4",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
+    "Specular":
+        "Glanz",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
     "Sulphides":
@@ -301,14 +379,30 @@ TEXTS = {
         "Umsetzung wechseln",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
+    "Tangent":
+        "Tangente",
+    "Texture":
+        "Textur",
+    "Texture Share":
+        "Texturanteil",
     "The Paper's Figures":
         "Abbildungen der Veröffentlichung",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
+    "The folder of {file!r} does not exist; make it first, or name another.":
+        "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
+    "The library is in Preferences, File Paths already":
+        "Die Bibliothek steht schon unter Einstellungen, Dateipfade",
+    "The library is not in the preferences":
+        "Die Bibliothek steht nicht in den Einstellungen",
+    "The library {:s} is no longer in the preferences":
+        "Die Bibliothek {:s} steht nicht mehr in den Einstellungen",
     "The measured points: wavelength_nm, n, k":
         "Die gemessenen Punkte: wavelength_nm, n, k",
     "The preset to rename":
         "Die umzubenennende Voreinstellung",
+    "The preset {file!r} cannot be read.":
+        "Die Voreinstellung {file!r} lässt sich nicht lesen.",
     "The processor":
         "Der Prozessor",
     "The published formula as an OSL script":
@@ -321,30 +415,58 @@ TEXTS = {
         "Die veröffentlichte Formel, allein mit Nodes",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
+    "The second Blender ended with status {:d}: {:s}":
+        "Das zweite Blender endete mit Status {:d}: {:s}",
+    "The shader {shader} does not compile: {why}":
+        "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The verification was stopped; there is no report":
+        "Die Prüfung wurde abgebrochen; es gibt keinen Bericht",
     "There is a preset called {:s} already":
         "Es gibt schon eine Voreinstellung namens {:s}",
+    "Thickness":
+        "Dicke",
     "Thickness in nanometres that varies over the surface, with its lower normal":
         "Dicke in Nanometern, die über die Fläche wechselt, mit ihrer unteren Normalen",
     "Thin layer with native closures; also in EEVEE":
         "Dünne Schicht mit eingebauten Shadern; auch in EEVEE",
+    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
+        "Dieses Blender ist ohne OSL gebaut: die Realisierung Exakt oder Schnell nehmen, die dasselbe Material rendern",
+    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
+        "Diesem Blender fehlt das Modul oslquery, das OSL-Skripte brauchen: die Realisierung Exakt oder Schnell nehmen",
     "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
         "Diese Engine rendert stattdessen Schnell: Für diese Umsetzung in den Render-Eigenschaften Cycles wählen",
     "This file has no material with a measurement: bake a preset first":
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
+    "This file is no preset of Facet & Film.":
+        "Diese Datei ist keine Voreinstellung von Facet & Film.",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Towards grey of the same luminance, until inside: the hue stays":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
     "Update Materials":
         "Materialien aktualisieren",
+    "Vector":
+        "Vektor",
     "Verify Against the Formulas":
         "Mit den Formeln prüfen",
     "Verify on CPU":
         "Auf der CPU prüfen",
     "Verify on GPU":
         "Auf der GPU prüfen",
+    "Verifying {:s}":
+        "Prüfung: {:s}",
+    "Verifying: starting a second Blender …":
+        "Prüfung: startet ein zweites Blender …",
     "Wavelengths":
         "Wellenlängen",
+    "Weight 1":
+        "Gewicht 1",
+    "Weight 2":
+        "Gewicht 2",
+    "Weight 3":
+        "Gewicht 3",
+    "Weight 4":
+        "Gewicht 4",
     "What to call it":
         "Wie sie heißen soll",
     "What to compare":
@@ -369,8 +491,122 @@ TEXTS = {
         "{:s} geschrieben",
     "You have saved no preset yet":
         "Es ist noch keine Voreinstellung gespeichert",
+    "average daylight (superseded), 6774 K":
+        "mittleres Tageslicht (überholt), 6774 K",
+    "broadband fluorescent, D50 simulator, 5000 K":
+        "Breitband-Leuchtstofflampe, D50-Simulator, 5000 K",
+    "broadband fluorescent, D65 simulator, 6500 K":
+        "Breitband-Leuchtstofflampe, D65-Simulator, 6500 K",
+    "broadband fluorescent, cool white deluxe, 4150 K":
+        "Breitband-Leuchtstofflampe, Kaltweiß de Luxe, 4150 K",
+    "colour enhanced high pressure sodium lamp, 2510 K":
+        "farbverbesserte Natriumdampf-Hochdrucklampe, 2510 K",
+    "cool white fluorescent, 4230 K":
+        "Leuchtstofflampe, Kaltweiß, 4230 K",
+    "dataset {dataset!r} is unknown. Datasets are named 'shelf/book/page', as refractiveindex.info does; a search finds them.":
+        "Datensatz {dataset!r} ist unbekannt. Datensätze heißen 'Regal/Buch/Seite' wie bei refractiveindex.info; die Suche findet sie.",
+    "dataset {dataset!r} is unknown; did you mean {near}? Datasets are named 'shelf/book/page', as refractiveindex.info does; a search finds them.":
+        "Datensatz {dataset!r} ist unbekannt; war {near} gemeint? Datensätze heißen 'Regal/Buch/Seite' wie bei refractiveindex.info; die Suche findet sie.",
+    "daylight fluorescent, 6350 K":
+        "Leuchtstofflampe, Tageslicht, 6350 K",
+    "daylight fluorescent, 6430 K":
+        "Leuchtstofflampe, Tageslicht, 6430 K",
+    "daylight, 5000 K":
+        "Tageslicht, 5000 K",
+    "daylight, 5500 K":
+        "Tageslicht, 5500 K",
+    "daylight, 6000 K":
+        "Tageslicht, 6000 K",
+    "daylight, 6500 K":
+        "Tageslicht, 6500 K",
+    "deluxe fluorescent, 2900 K":
+        "De-Luxe-Leuchtstofflampe, 2900 K",
+    "deluxe fluorescent, 4090 K":
+        "De-Luxe-Leuchtstofflampe, 4090 K",
+    "deluxe fluorescent, 4890 K":
+        "De-Luxe-Leuchtstofflampe, 4890 K",
+    "direct sunlight at noon (superseded), 4874 K":
+        "direktes Sonnenlicht am Mittag (überholt), 4874 K",
+    "equal energy":
+        "energiegleich",
+    "fluorescent, D65 simulator, 6510 K":
+        "Leuchtstofflampe, D65-Simulator, 6510 K",
+    "halophosphate fluorescent, 2930 K":
+        "Halophosphat-Leuchtstofflampe, 2930 K",
+    "halophosphate fluorescent, 3970 K":
+        "Halophosphat-Leuchtstofflampe, 3970 K",
+    "halophosphate fluorescent, 6280 K":
+        "Halophosphat-Leuchtstofflampe, 6280 K",
+    "high pressure metal halide lamp, 3140 K":
+        "Halogen-Metalldampflampe, 3140 K",
+    "high pressure metal halide lamp, 4000 K":
+        "Halogen-Metalldampflampe, 4000 K",
+    "high pressure metal halide lamp, 4040 K":
+        "Halogen-Metalldampflampe, 4040 K",
+    "high pressure sodium lamp, 1960 K":
+        "Natriumdampf-Hochdrucklampe, 1960 K",
+    "incandescent lamp, 2856 K":
+        "Glühlampe, 2856 K",
+    "indoor daylight, 5100 K":
+        "Tageslicht im Innenraum, 5100 K",
+    "indoor daylight, 6600 K":
+        "Tageslicht im Innenraum, 6600 K",
+    "it said nothing":
+        "es sagte nichts",
+    "light white fluorescent, 4150 K":
+        "Leuchtstofflampe, Hellweiß, 4150 K",
+    "multi-band fluorescent, 2980 K":
+        "Mehrbanden-Leuchtstofflampe, 2980 K",
+    "multi-band fluorescent, 3900 K":
+        "Mehrbanden-Leuchtstofflampe, 3900 K",
+    "multi-band fluorescent, 5040 K":
+        "Mehrbanden-Leuchtstofflampe, 5040 K",
     "n and k":
         "n und k",
+    "name must be a text with at least one letter, not {text!r}.":
+        "Der Name muss ein Text mit mindestens einem Buchstaben sein, nicht {text!r}.",
+    "north sky daylight, 7500 K":
+        "Tageslicht des Nordhimmels, 7500 K",
+    "preset":
+        "Voreinstellung",
+    "preset {preset!r} is unknown; what fits these words: {found}.":
+        "Voreinstellung {preset!r} ist unbekannt; zu diesen Wörtern passt: {found}.",
+    "three-band fluorescent, 2980 K":
+        "Dreibanden-Leuchtstofflampe, 2980 K",
+    "three-band fluorescent, 3000 K":
+        "Dreibanden-Leuchtstofflampe, 3000 K",
+    "three-band fluorescent, 4000 K":
+        "Dreibanden-Leuchtstofflampe, 4000 K",
+    "three-band fluorescent, 4010 K":
+        "Dreibanden-Leuchtstofflampe, 4010 K",
+    "three-band fluorescent, 4850 K":
+        "Dreibanden-Leuchtstofflampe, 4850 K",
+    "three-band fluorescent, 5000 K":
+        "Dreibanden-Leuchtstofflampe, 5000 K",
+    "three-band fluorescent, 5850 K":
+        "Dreibanden-Leuchtstofflampe, 5850 K",
+    "warm white fluorescent, 2940 K":
+        "Leuchtstofflampe, Warmweiß, 2940 K",
+    "white LED, blue with phosphor, 2730 K":
+        "weiße LED, Blau mit Leuchtstoff, 2730 K",
+    "white LED, blue with phosphor, 3000 K":
+        "weiße LED, Blau mit Leuchtstoff, 3000 K",
+    "white LED, blue with phosphor, 4100 K":
+        "weiße LED, Blau mit Leuchtstoff, 4100 K",
+    "white LED, blue with phosphor, 5110 K":
+        "weiße LED, Blau mit Leuchtstoff, 5110 K",
+    "white LED, blue with phosphor, 6600 K":
+        "weiße LED, Blau mit Leuchtstoff, 6600 K",
+    "white LED, blue with phosphor, and red, 2850 K":
+        "weiße LED, Blau mit Leuchtstoff, und Rot, 2850 K",
+    "white LED, red, green and blue, 2840 K":
+        "weiße LED, Rot, Grün und Blau, 2840 K",
+    "white LED, violet with phosphor, 2720 K":
+        "weiße LED, Violett mit Leuchtstoff, 2720 K",
+    "white LED, violet with phosphor, 4070 K":
+        "weiße LED, Violett mit Leuchtstoff, 4070 K",
+    "white fluorescent, 3450 K":
+        "Leuchtstofflampe, Weiß, 3450 K",
     "{:d} materials baked again":
         "{:d} Materialien neu gebacken",
     "{:s} applied":
@@ -381,8 +617,36 @@ TEXTS = {
         "{:s} ist eine Bibliotheksüberschreibung, deren Nodes und Slots einer anderen Datei gehören: erst lokal machen (Objekt, Relationen, Lokal machen)",
     "{:s} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{:s} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
+    "{:s} is linked: update it in {:s}":
+        "{:s} ist verknüpft: in {:s} aktualisieren",
     "{:s} renders by {:s}":
         "{:s} rendert mit: {:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
         "{:s} nimmt keine Materialien: ein Mesh, eine Kurve, Fläche, Text oder ein Volumen auswählen",
+    "{:s} was edited by hand and stays as it is":
+        "{:s} wurde von Hand geändert und bleibt, wie es ist",
+    "{:s} was made by a newer Facet & Film: install that one to change it":
+        "{:s} stammt von einem neueren Facet & Film: dieses installieren, um es zu ändern",
+    "{:s}: version {:d}, now {:d}":
+        "{:s}: Version {:d}, jetzt {:d}",
+    "{dataset!r} is no dataset of the database; name one, or a material of it.":
+        "{dataset!r} ist kein Datensatz der Datenbank; einen nennen oder ein Material daraus.",
+    "{file!r} cannot be written: {why}; name another place.":
+        "{file!r} lässt sich nicht schreiben: {why}; bitte einen anderen Ort nennen.",
+    "{file!r} is a folder; name a file in it.":
+        "{file!r} ist ein Ordner; bitte eine Datei darin nennen.",
+    "{file!r} is being written already; remove {aside!r} if it is not.":
+        "{file!r} wird schon geschrieben; wenn nicht, {aside!r} entfernen.",
+    "{file!r} is protected or no ordinary file; name another.":
+        "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
+    "{material} holds no measurement: bake a Cook-Torrance preset first.":
+        "{material} enthält keine Messung: erst eine Voreinstellung von Cook-Torrance backen.",
+    "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
+        "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
+    "{name} {value!r} is unknown; Valid: {valid}.":
+        "{name} {value!r} ist unbekannt; gültig: {valid}.",
+    "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
+        "{name} {value!r} ist unbekannt; war {near} gemeint? Gültig: {valid}.",
+    "{preset} has no dataset of the database, so there is nothing to compare: its values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.":
+        "{preset} hat keinen Datensatz der Datenbank, es gibt also nichts zu vergleichen: Die Werte sind eigene der Voreinstellung. Bitte eine andere Voreinstellung nennen oder einen Datensatz wie 'main/Au/Babar'.",
 }
