@@ -156,5 +156,7 @@ def attach():
 
 
 def detach():
-    """Take them off again."""
+    """Take them off again, with what was chosen."""
+    for manager in bpy.data.window_managers:
+        manager.property_unset("facet_film")
     del bpy.types.WindowManager.facet_film

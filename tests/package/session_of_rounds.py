@@ -15,8 +15,22 @@ from pathlib import Path
 import bpy
 from traces import datablocks, timers_of, traces
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from drawn import drawn, properties_editor  # noqa: E402  (no tests package here: the extension is the installed one)
+
 MODULE = "bl_ext.user_default.facet_film"
 ZIP, REPORT, ROUNDS = sys.argv[1:]
+
+
+def modules(name):
+    """A module of the installed extension."""
+    return sys.modules[f"{MODULE}.addon.blender.{name}"]
+
+
+def panels():
+    """Its panels in the Material properties."""
+    return [cls for cls in modules("registration").CLASSES
+            if issubclass(cls, bpy.types.Panel) and getattr(cls, "bl_context", "") == "material"]
 
 
 def use(round_number):
@@ -27,6 +41,15 @@ def use(round_number):
     bpy.ops.facet_film.switch_realisation(realisation="fast")
     bpy.ops.facet_film.check(against="copper", kind="material", material="gold")
     bpy.ops.facet_film.add_asset_library()
+    settings = bpy.context.window_manager.facet_film
+    settings.illuminant, settings.thumbnail = "A", "gold"
+    modules("settings").search_measured(None, None, "gold")
+    assert sum(drawn(panel, properties_editor()) is not None for panel in panels()) >= 6
+    bpy.ops.facet_film.rebake()
+    bpy.ops.facet_film.rebake_all()
+    bpy.ops.facet_film.save_user_preset(name="Mine")
+    bpy.ops.facet_film.save_user_preset(name="Mine", remove_name=True)
+    bpy.ops.facet_film.bake_preset(model="layered_rgb", preset="nacre")
     material = target.active_material
     target.data.materials.clear()
     bpy.data.materials.remove(material)

@@ -29,7 +29,7 @@ def test_every_round_goes_through(report):
     assert report["rounds"] == ROUNDS
 
 
-def test_no_class_operator_entry_handler_property_or_library_is_left(report):
+def test_no_class_operator_entry_handler_property_shortcut_preview_or_library_is_left(report):
     assert report[str(ROUNDS)]["traces"] == []
 
 

@@ -3,12 +3,13 @@
 import gc
 
 import bpy
+import bpy.utils.previews
 
 __all__ = ["traces", "datablocks", "timers_of"]
 
 
 def traces():
-    """Classes, operators, menu entries, handlers, properties, asset libraries, shell commands."""
+    """Classes, operators, menu entries, handlers, properties, kept values, shortcuts, previews, asset libraries."""
     seen = {f"type {name}" for name in dir(bpy.types)}
     seen |= {f"operator {room}.{name}" for room in dir(bpy.ops) for name in dir(getattr(bpy.ops, room))}
     for name in dir(bpy.types):
@@ -24,6 +25,12 @@ def traces():
         handlers = getattr(bpy.app.handlers, name)
         if isinstance(handlers, list):
             seen |= {f"handler {name}: {getattr(handler, '__module__', '')}" for handler in handlers}
+    for owner in (*bpy.data.window_managers, *bpy.data.scenes, *bpy.data.workspaces):
+        kept = owner.bl_system_properties_get() if hasattr(owner, "bl_system_properties_get") else None
+        seen |= {f"value {owner.name}: {key}" for key in (*owner.keys(), *(kept.keys() if kept else ()))}
+    seen |= {f"shortcut {keymap.name}: {item.idname}" for keys in bpy.context.window_manager.keyconfigs
+             for keymap in keys.keymaps for item in keymap.keymap_items}
+    seen |= {f"previews {identifier}" for identifier in bpy.utils.previews._uuid_open}
     seen |= {f"library {library.name}" for library in bpy.context.preferences.filepaths.asset_libraries}
     return seen
 
