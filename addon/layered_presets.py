@@ -91,25 +91,25 @@ PRESETS = {
              specular=0.5, diffuse=0.8)),
     "beetle": LayeredPreset(
         "Beetle", "look", LOOK,
-        dict(thickness_range=(160, 185), noise_scale=2.0, noise_detail=1.0, ior=(1.56, 1.58, 1.62),
-             exponent_r=250.0, exponent_t=70.0, deviation=math.radians(5.0), diffuse=0.1)),
+        dict(thickness_range=(56, 75), noise_scale=0.8, noise_detail=0.0, ior=(2.98, 4.0, 4.8),
+             exponent_r=60.0, exponent_t=600.0, deviation=math.radians(3.0), correlated=True,
+             specular=0.1, diffuse=0.3)),
     "tempered steel": LayeredPreset(
         "Tempered steel", "look", LOOK,
-        dict(thickness_range=(15, 60), noise_scale=0.8, noise_detail=1.0, ior=(2.3, 2.4, 2.6),
-             exponent_r=400.0, exponent_t=300.0, specular=0.8, diffuse=0.1)),
+        dict(thickness_range=(10, 76), noise_scale=0.85, noise_detail=0.0, ior=(2.7, 2.7, 2.7),
+             exponent_r=80.0, exponent_t=250.0, specular=0.25, diffuse=0.5)),
     "old bronze": LayeredPreset(
         "Old bronze", "look", LOOK,
-        dict(thickness_range=(25, 75), noise_scale=4.0, noise_detail=5.0, ior=(1.5, 1.52, 1.56),
-             exponent_r=30.0, exponent_t=20.0, specular=0.35, diffuse=0.7)),
+        dict(thickness_range=(43, 60), noise_scale=2.2, noise_detail=7.0, ior=(2.1, 3.65, 2.7),
+             exponent_r=40.0, exponent_t=120.0, specular=0.07, diffuse=0.55)),
     "clay": LayeredPreset(
         "Clay", "look", LOOK,
-        dict(thickness_range=(64, 74), noise_scale=6.0, noise_detail=6.0, ior=(1.4, 1.4, 1.4),
-             exponent_r=8.0, exponent_t=6.0, specular=0.05, diffuse=0.95)),
+        dict(thickness_range=(25, 31), noise_scale=7.0, noise_detail=8.0, ior=(1.9, 2.4, 2.7),
+             exponent_r=6.0, exponent_t=10.0, specular=0.015, diffuse=0.7)),
     "pearl lacquer": LayeredPreset(
         "Pearl lacquer", "look", LOOK,
-        dict(thickness_range=(150, 175), noise_scale=20.0, noise_detail=0.0, ior=(1.5, 1.53, 1.58),
-             exponent_r=1200.0, exponent_t=40.0, deviation=math.radians(4.0), correlated=True,
-             specular=0.6, diffuse=0.75)),
+        dict(thickness_range=(185, 215), noise_scale=0.8, noise_detail=0.0, ior=(1.6, 1.62, 1.66),
+             exponent_r=2000.0, exponent_t=30.0, specular=0.35, diffuse=0.7)),
     "raku glaze": LayeredPreset(
         "Raku glaze", "look", LOOK,
         dict(thickness_range=(20, 190), noise_scale=2.5, noise_detail=6.0, ior=(1.5, 1.55, 1.65),
@@ -117,8 +117,8 @@ PRESETS = {
              specular=0.6, diffuse=0.6)),
     "heat-tinted titanium": LayeredPreset(
         "Heat-tinted titanium", "look", LOOK,
-        dict(thickness_range=(35, 85), noise_scale=0.7, noise_detail=0.0, ior=(2.35, 2.45, 2.65),
-             exponent_r=150.0, exponent_t=110.0, specular=0.8, diffuse=0.2)),
+        dict(thickness_range=(20, 125), noise_scale=0.7, noise_detail=0.0, ior=(2.4, 2.5, 2.6),
+             exponent_r=60.0, exponent_t=200.0, specular=0.25, diffuse=0.5)),
 }
 
 

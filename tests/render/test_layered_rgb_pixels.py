@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from addon.reflectance import layered_rgb as layered
+from addon.verify import layered_scenes as scenes_of_layers
 from tests.render import probes
 from tests.render.layered_scenes import (
     TILE_ANGLES, Reference, furnace_means, furnace_tiles, material, ring_means, rings, sphere_reference, tile_normal,
@@ -164,6 +165,17 @@ def test_default_width_keeps_the_albedo(realisation):
 def test_fast_furnace_of_parallel_boundaries(name, realisation):
     measured = furnace(realisation, seeds=6, **SETTINGS[name]).mean(axis=0)
     np.testing.assert_allclose(measured, albedos(**SETTINGS[name]), rtol=0.02)
+
+
+@pytest.mark.parametrize("name", ["parallel, 15 nm", "parallel, 70 nm", "parallel, 400 nm"])
+def test_osl_closures_close_to_the_horizon(name, monkeypatch):
+    """At 80° too OSL's closures reflect what the formula does within 2 %."""
+    angles = np.radians(np.linspace(76.0, 80.0, 8))
+    monkeypatch.setattr(scenes_of_layers, "TILE_ANGLES", angles)
+    scene = furnace_tiles("osl_fast", SETTINGS[name], samples=64, osl=True)
+    measured = furnace_means(probes.render_seeds(scene, 4)).mean(axis=0)
+    reference = Reference.of(**SETTINGS[name])
+    np.testing.assert_allclose(measured, [reference.albedo(tile_normal(angle)) for angle in angles], rtol=0.02)
 
 
 @pytest.mark.parametrize("realisation", ["fast", "osl_fast"])

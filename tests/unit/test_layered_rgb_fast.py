@@ -12,7 +12,7 @@ from addon.reflectance.layered_rgb_fast import exit_directions, exit_plane, lobe
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
 WAVELENGTHS = np.array(layered.WAVELENGTHS)
 ANGLES = (0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 75.0, 80.0)
-LARGEST_SHIFT, LARGEST_SHIFT_IN_THE_DARK = 1.0, 2.0
+LARGEST_SHIFT = 1.0
 FIGURE_3 = ((1.4, 1.45, 1.6), 90.0, 170.0)
 FIGURE_5 = ((1.5, 1.6, 1.8), 130.0, 130.0)
 
@@ -135,8 +135,7 @@ POLARS = (0.5, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 65.0, 70.0, -20.0, -40.0, -60
 def test_peaks_of_the_channels(r1, e0, e1, deviation):
     """A lamp moved through the plane of V and n0 is brightest at the same angle within 1°, per channel.
 
-    Within 2° where interference takes more than three tenths of the light and leaves a
-    flat top; where it makes one peak two, or R and T stand apart and are both as
+    Where interference makes one peak two, or R and T stand apart and are both as
     bright, there is no one place to compare.
     """
     r1, n1 = np.array(r1), lower_normal(deviation)
@@ -150,13 +149,10 @@ def test_peaks_of_the_channels(r1, e0, e1, deviation):
             formula = layered.layered_specular(cosines, r1, d, WAVELENGTHS, e0, e1) * cosines.n0_l[:, None]
             fast = sum(beckmann(lamps, view, lobe)[:, None] * lobe.colour
                        for lobe in native_lobes(view, UP, n1, r1, d, WAVELENGTHS, e0, e1))
-            r, t = layered.layered_lobes(cosines, r1, e0, e1)
-            left = formula.sum(axis=0) / (0.5 * (r + t) * cosines.n0_l[:, None]).sum(axis=0)
-            limit = np.where(left > 0.7, LARGEST_SHIFT, LARGEST_SHIFT_IN_THE_DARK)
             apart = np.abs(top(angles, fast) - top(angles, formula))
             one = has_one_peak(formula)
             compared += one.sum()
-            assert (apart <= limit + 1e-6)[one].all(), (polar, d, apart, left)
+            assert (apart <= LARGEST_SHIFT + 1e-6)[one].all(), (polar, d, apart)
     assert compared > 0.95 * 3 * 5 * len(POLARS)
 
 
