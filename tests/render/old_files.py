@@ -3,7 +3,7 @@
     .venv-4.5/bin/python -m tests.render.old_files
 
 Writes tests/data/saved_by_4.5.blend and tests/data/saved_by_4.5.json. They stay as they are: newer versions of the
-extension and of Blender have to open them. To be written anew only where a group's version is raised.
+extension and of Blender have to open them.
 """
 
 import json
