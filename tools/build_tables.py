@@ -101,8 +101,8 @@ def build_refractiveindex(folder):
         "tool": TOOL,
         "left_out": {why: len(datasets) for why, datasets in left_out.items()},
     }
-    index = {"datasets": [record[0] for record in records], "records": records, "citations": list(citations),
-             "left_out": left_out}
+    places = {record[0]: place for place, record in enumerate(records)}
+    index = {"places": places, "records": records, "citations": list(citations), "left_out": left_out}
     tables.pack(folder / "refractiveindex.table", about, index, np.concatenate(numbers.values))
     return len(records), about["left_out"]
 

@@ -96,7 +96,7 @@ def dataset_ids():
     >>> "main/Au/Babar" in dataset_ids()
     True
     """
-    return tuple(_places())
+    return tuple(tables.part(TABLE, "places"))
 
 
 @functools.lru_cache(maxsize=64)
@@ -110,7 +110,7 @@ def load(dataset):
     >>> load("main/Cu/Johnson").title
     'Copper, Johnson and Christy 1972'
     """
-    place = _places().get(dataset)
+    place = tables.part(TABLE, "places").get(dataset)
     if place is None:
         _refuse(dataset, tables.part(TABLE, "left_out"), dataset_ids())
     _, title, citation, comment, n_model, k_model = tables.line(TABLE, "records", place)
@@ -141,12 +141,6 @@ def _refuse(dataset, left_out, known):
                              dataset=dataset, near=tuple(near))
     raise FacetFilmError("dataset {dataset!r} is unknown. Datasets are named 'shelf/book/page', "
                          "as refractiveindex.info does; a search finds them.", dataset=dataset)
-
-
-@functools.lru_cache(maxsize=1)
-def _places():
-    """Where each dataset's record is."""
-    return {json_text[1:-1]: place for place, json_text in enumerate(tables.lines(TABLE, "datasets"))}
 
 
 def _points(model):
