@@ -1,6 +1,7 @@
 """The colour of a measured material's mirror at every angle."""
 
 import dataclasses
+from typing import NamedTuple
 
 import numpy as np
 
@@ -67,8 +68,7 @@ class Viewing:
         return map_colours(rgb, self.gamut, self.space)
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
-class Reflected:
+class Reflected(NamedTuple):
     """A material's mirror: its spectrum of n and k, and its colours at ANGLES.
 
     preset     the Preset

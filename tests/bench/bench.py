@@ -250,8 +250,8 @@ def interface_part(found):
 
 `python tests/bench/bench_interface.py` measures this part alone: the zip as it is installed, each figure the median of
 five fresh Blenders. "First" is the first time in a session, with everything that is loaded for it (of enabling the
-first time after installing, which compiles the modules); "later" is the slowest after that. The bars are for all but
-the first column of enabling and of drawing.
+first time after installing, which compiles the modules; of presets and search once the panel is there); "later" is the
+slowest after that, of drawing the median. The bars are for all but the first column of enabling and of drawing.
 """]
     parts += [f"Blender {blender}:\n\n{bench_interface.table(figures)}\n" for blender, figures in found.items()]
     return "\n".join(parts)

@@ -38,15 +38,20 @@ def enable():
     return {"first": took, "later": took}
 
 
-def draw():
-    """Every panel of the Properties editor with all parts opened: first without a material of ours, later on one."""
+def panels_drawn():
+    """A function that draws every panel of the Properties editor, opened, and says how many are shown."""
     registration = import_module(f"{MODULE}.addon.blender.registration")
     panels = [cls for cls in registration.CLASSES
               if issubclass(cls, bpy.types.Panel) and getattr(cls, "bl_context", "") == "material"]
-    context = properties_editor()
 
     def all_panels():
-        return sum(drawn(panel, context) is not None for panel in panels)
+        return sum(drawn(panel, properties_editor()) is not None for panel in panels)
+    return all_panels
+
+
+def draw():
+    """Drawing: first without a material of ours, later on one."""
+    all_panels = panels_drawn()
     first = timed(all_panels)
     bpy.ops.facet_film.bake_preset(preset="copper")
     assert all_panels() >= 6
@@ -54,13 +59,15 @@ def draw():
 
 
 def preset():
-    """Presets put on the cube, one after the other; of the later ones the slowest."""
+    """Presets put on the cube from the panel, one after the other; of the later ones the slowest."""
+    panels_drawn()()  # there is nothing to click before
     first, *later = (timed(lambda: bpy.ops.facet_film.bake_preset(preset=name)) for name in PRESETS)
     return {"first": first, "later": max(later)}
 
 
 def search():
-    """Letters typed into the field, of the later ones the slowest; one list for each letter, as Blender asks."""
+    """Letters typed into the panel's field, of the later ones the slowest; a list for each letter, as Blender asks."""
+    panels_drawn()()
     settings = import_module(f"{MODULE}.addon.blender.settings")
     texts = [text[:end] for text in TYPED for end in range(1, len(text) + 1)]
     first, *later = (timed(lambda: settings.search_measured(None, None, text)) for text in texts)
