@@ -1,7 +1,8 @@
 """Builds a shader node group out of formulas written with addon.operands.
 
-One node an operation; equal subexpressions share their node; constants fold;
-nodes of one named term stand together in a frame.
+One node an operation, a product and the sum it is in together; equal
+subexpressions share their node; constants fold; nodes of one named term stand
+together in a frame.
 """
 
 import contextlib
@@ -27,7 +28,7 @@ MATH = {
     "add": "ADD", "subtract": "SUBTRACT", "multiply": "MULTIPLY", "divide": "DIVIDE", "power": "POWER",
     "minimum": "MINIMUM", "maximum": "MAXIMUM", "absolute": "ABSOLUTE", "sin": "SINE", "cos": "COSINE",
     "tan": "TANGENT", "sqrt": "SQRT", "exp": "EXPONENT", "arccos": "ARCCOSINE", "less": "LESS_THAN",
-    "log": "LOGARITHM",
+    "log": "LOGARITHM", "multiply_add": "MULTIPLY_ADD",
 }
 VECTOR_MATH = {name: MATH[name] for name in (
     "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan")}
@@ -50,6 +51,8 @@ class GroupBuilder:
         self.frames = []           # labels of the frames that are open
         self.frame_of = {}         # node name -> frame label
         self._shared = {}          # expression -> operand
+        self._products = {}        # Multiply node's name -> its two operands
+        self._varying = set()      # names of the nodes whose values differ from place to place, whatever the sockets
         self._group_inputs = {}    # frame label -> Group Input node
         self._output_node = None
 
@@ -100,6 +103,9 @@ class GroupBuilder:
             node = self._shared[key] = self._new_node(bl_idname, properties, label)
             for identifier, operand in (inputs or {}).items():
                 self.connect(socket_of(node.inputs, identifier), operand)
+            operands = [o for o in (inputs or {}).values() if isinstance(o, NodeOperand)]
+            if not operands or any(map(self._varies, operands)):
+                self._varying.add(node.name)
         socket = socket_of(node.outputs, output) if output else node.outputs[0]
         return NodeOperand(self, kind_of(socket), socket)
 
@@ -113,11 +119,19 @@ class GroupBuilder:
         return self.node("ShaderNodeTexWhiteNoise", {"Vector": position, "W": float(dimension)},
                          "Value", noise_dimensions="4D")
 
+    def three_randoms(self, dimension):
+        """Three such numbers of one White Noise node."""
+        from ..operands import x_of, y_of, z_of
+        position = self.node("ShaderNodeNewGeometry", output="Position")
+        three = self.node("ShaderNodeTexWhiteNoise", {"Vector": position, "W": float(dimension)},
+                          "Color", noise_dimensions="4D")
+        return x_of(three), y_of(three), z_of(three)
+
     def normal(self, socket):
         """The Normal socket's direction, or the surface's own where nothing is plugged in."""
         from ..operands import dot, less, normalize, where
         own = self.node("ShaderNodeNewGeometry", output="Normal")
-        return normalize(where(less(dot(socket, socket), 1e-8), own, socket))
+        return where(less(dot(socket, socket), 1e-8), own, normalize(socket))
 
     def incoming(self):
         """V, the unit direction from the surface to the viewer."""
@@ -144,7 +158,11 @@ class GroupBuilder:
             self.frames.pop()
 
     def finish(self):
-        """Lay the nodes out and return the tree."""
+        """Lay the nodes out, less the products that went into sums, and return the tree."""
+        for name in self._products:
+            if not self.tree.nodes[name].outputs[0].is_linked:
+                self.tree.nodes.remove(self.tree.nodes[name])
+                self.frame_of.pop(name, None)
         arrange(self.tree, self.frame_of)
         return self.tree
 
@@ -170,10 +188,44 @@ class GroupBuilder:
             return self._on_vectors(name, operands)
         if name == "where":
             return self._mix("FLOAT", "Float", *operands)
+        if name in ("add", "subtract"):
+            operands, name = self._with_product(name, *operands)
         if name == "log":
             operands = (*operands, math.e)
         identifiers = ("Value", "Value_001", "Value_002")
-        return self.node("ShaderNodeMath", dict(zip(identifiers, operands)), operation=MATH[name])
+        result = self.node("ShaderNodeMath", dict(zip(identifiers, operands)), operation=MATH[name])
+        if name == "multiply" and all(isinstance(o, float) or self._varies(o) for o in operands):
+            self._products[result.source.node.name] = operands
+        return result
+
+    def _with_product(self, name, a, b):
+        """The operands and name of a sum or difference, as "multiply_add" where it has a product that is never 0.
+
+        A product with a socket stays a node of its own, which the renderer
+        folds away where the socket is 0.
+        """
+        for product, other, sign in ((a, b, 1.0), (b, a, -1.0)):
+            factors = self._factors(product)
+            if not factors:
+                continue
+            if name == "add":
+                return (*factors, other), "multiply_add"
+            if sign > 0.0 and isinstance(other, float):
+                return (*factors, -other), "multiply_add"
+            if sign < 0.0 and isinstance(factors[0], float):
+                return (-factors[0], factors[1], other), "multiply_add"
+        return (a, b), name
+
+    def _factors(self, operand):
+        """The factors of a product, numbers first, or None."""
+        if not isinstance(operand, NodeOperand) or isinstance(operand.source, str):
+            return None
+        factors = self._products.get(operand.source.node.name)
+        return factors and sorted(factors, key=lambda o: not isinstance(o, float))
+
+    def _varies(self, operand):
+        """Whether the operand comes from the place that is shaded and not only from sockets."""
+        return not isinstance(operand.source, str) and operand.source.node.name in self._varying
 
     def _on_vectors(self, name, operands):
         if name in VECTOR_MATH:
@@ -183,7 +235,7 @@ class GroupBuilder:
                                  operation="SCALE")
             return self._vector_math(VECTOR_MATH[name], operands)
         if name == "sqrt":
-            return self._vector_math("POWER", (self.apply("maximum", (operands[0], 0.0)), 0.5))
+            return self._vector_math("POWER", (operands[0], 0.5))  # which gives 0 below 0
         if name == "exp":
             return self._vector_math("POWER", (math.e, operands[0]))
         if name == "where" and not is_vector(operands[0]):

@@ -9,10 +9,12 @@ Products start with what is constant as a rule, so that Cycles folds away what
 a material does not use.
 """
 
-from ..operands import dot, less, normalize, sqrt, widen
+from ..operands import dot, less, normalize, sqrt, where, widen
 from ..parameters import DEFAULT_SAMPLING_WIDTH
 from ..reflectance.cook_torrance_sampler import (
-    FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_lobe, native_over_d, scales)
+    FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_lobe, native_over_d,
+    native_slope, scales)
+from ..reflectance.fresnel import f82_factor
 from ..reflectance.sampling import chosen, narrow_slope, wide_slope
 from .builder import GroupBuilder
 from .cook_torrance_inputs import cook_torrance_inputs
@@ -22,7 +24,7 @@ __all__ = ["NAME", "VERSION", "build"]
 NAME = "Cook-Torrance Exact"
 VERSION = 1
 
-TILT, AZIMUTH, SIDE, SLOPE, DISTRIBUTION, ROULETTE = range(1, 7)
+FACET, SLOPE, DISTRIBUTION, ROULETTE = range(1, 5)
 """The random numbers of a sample, each a dimension of its own."""
 
 
@@ -58,25 +60,28 @@ class _Surface:
         """The Glossy BSDF about a drawn facet, with what the native lobes leave of f."""
         builder, sockets = self.builder, self.sockets
         slopes, weights = zip(*sockets.slopes)
-        with builder.frame("Draw"):
-            m, = chosen(builder.random(SLOPE), weights, slopes)
-            gaussian = less(0.0, sockets.gaussian) * less(builder.random(DISTRIBUTION), sockets.gaussian)
-            tilt, azimuth, side = (builder.random(number) for number in (TILT, AZIMUTH, SIDE))
+        shares, leans = zip(*[native_lobe(self.n_v, m) for m in slopes])
         with builder.frame("Width > 0"):
-            a, wide = narrow_slope(m, sockets.width), wide_slope(m, sockets.width)
-        share, lean = native_lobe(self.n_v, m)
+            narrow, wide = zip(*[(narrow_slope(m, sockets.width), wide_slope(m, sockets.width)) for m in slopes])
+        with builder.frame("Draw"):
+            m, share, lean, a, wide = chosen(builder.random(SLOPE), weights, slopes, shares, leans, narrow, wide)
+            gaussian = less(0.0, sockets.gaussian) * less(builder.random(DISTRIBUTION), sockets.gaussian)
+            tilt, azimuth, side = builder.three_randoms(FACET)
         with builder.frame("Roulette"):
-            probability = 1.0 - self.has_width * (1.0 - kept(share))
+            probability = where(self.has_width, kept(share), 1.0)
             shown = less(builder.random(ROULETTE), probability)
         x = facet(self.normal, self.view, m, a, wide, FLANKS * self.has_width, gaussian, tilt, azimuth, side)
-        scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c)
-        native = self.has_width * (native_scale * (HEADROOM * share) * native_over_d(x, m, share, lean))
-        weight = facet_weight(x, scale, native, sockets.n, sockets.k, *self.fresnel_82)
         with builder.frame("Draw"):
-            everything = sockets.specular * sum(weights[1:], weights[0])
+            weight = sockets.specular * sum(weights[1:], weights[0]) / probability
+        scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c)
+        native = self.has_width * (native_scale * HEADROOM) * (share * native_over_d(x, m, lean))
+        f0, tint = self.fresnel_82
+        colour = facet_weight(x, weight * scale, weight * native, sockets.n, sockets.k, f0, f82_factor(f0, tint))
+        with builder.frame("Draw"):
+            squeezed = sqrt(x.a_across / x.a_along)
             glossy = builder.node("ShaderNodeBsdfAnisotropic", {
-                "Color": weight * (everything / probability), "Normal": x.h, "Tangent": x.across,
-                "Roughness": sqrt(sqrt(x.a_across * x.a_along)), "Anisotropy": 1.0 - sqrt(x.a_across / x.a_along),
+                "Color": colour, "Normal": x.h, "Tangent": x.across,
+                "Roughness": sqrt(x.a_across / squeezed), "Anisotropy": 1.0 - squeezed,
             }, distribution="BECKMANN")
             return builder.scale_shader(shown, glossy)
 
@@ -96,10 +101,9 @@ class _Surface:
         share, lean = native_lobe(self.n_v, m)
         f0, tint = self.fresnel_82
         metallic = self.builder.node("ShaderNodeBsdfMetallic", {
-            "Base Color": f0, "Edge Tint": tint, "Roughness": sqrt(m * sqrt(share)),
+            "Base Color": f0, "Edge Tint": tint, "Roughness": sqrt(native_slope(m)),
             "Normal": normalize(self.normal + widen(lean) * self.view),
         }, distribution="BECKMANN", fresnel_type="F82")
         _, native_scale = scales(m, sockets.gaussian, sockets.published, sockets.gaussian_c)
-        part = native_scale / (1.0 + 3.0 * sockets.published)
-        constant_part = w * sockets.specular * self.has_width
-        return self.builder.scale_shader(constant_part * (HEADROOM * share * part), metallic)
+        part = HEADROOM * native_scale / (1.0 + 3.0 * sockets.published)
+        return self.builder.scale_shader((w * sockets.specular * self.has_width * part) * share, metallic)

@@ -18,19 +18,19 @@ from types import SimpleNamespace
 
 from ..operands import absolute, clip, cos, dot, exp, less, maximum, minimum, sin, sqrt, term, where, widen
 from .directions import PI, frame_about
-from .fresnel import COS_THETA_82, conductor, f82, f82_tint_of
-from .masking import smith_beckmann, v_cavity, v_cavity_one_side
-from .sampling import narrowed, tilt, towards_flanks
+from .fresnel import COS_THETA_82, conductor, f82_tint_of, f82_unclamped
+from .masking import smith_lambda_of_slope
+from .sampling import narrowed, squared_tilt, towards_flanks
 from .slopes import gaussian_c
 
-__all__ = ["native_lobe", "kept", "native_fresnel", "scales", "facet", "native_over_d", "sharpened_v_cavity",
+__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "facet", "native_over_d", "sharpened_v_cavity",
            "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
 STEEPEST = 1.55
 """Largest tilt of a drawn facet in radians; steeper ones carry no light."""
 
-HEADROOM = 0.97
+HEADROOM = 0.985
 """Keeps the native lobe under f where its F82 Fresnel term lies above the exact one."""
 
 
@@ -39,32 +39,51 @@ FLANKS = 0.5
 
 
 @term("Native lobe")
+def native_slope(m):
+    """Slope of the native Beckmann lobe under a formula of rms slope m: m (1 − 0.72 m²/(1 + 1.9 m²)).
+
+    A little less than m, for the V-cavity G ends rough lobes sooner than Smith's.
+
+    >>> round(float(native_slope(0.4)), 4)
+    0.3647
+    """
+    m2 = m * m
+    return m * (1.0 - 0.72 * m2 / (1.0 + 1.9 * m2))
+
+
+@term("Native lobe")
 def native_lobe(n_v, m):
-    """Share w and lean of a native Beckmann lobe that carries as much light as it can without passing f.
+    """Share w and lean of the native Beckmann lobe that carries as much light as it can without passing f.
 
     n_v  N·V, ``(...)``
     m    rms slope, ``(...)``
 
-    The lobe has the slope m√w and weighs 0.97 w, about N leaned towards V:
-    N + lean·V.  The lean, of a degree or so, keeps its light from the horizon,
-    where the V-cavity G fades sooner than Smith's.  With
+    The lobe has the slope of :func:`native_slope` and weighs 0.985 w, about N
+    leaned towards V: N + lean·V.  The lean, of a few degrees at most, keeps its
+    light from the horizon, where the V-cavity G fades sooner than Smith's.  With
     x = tan(half the angle from V to the horizon)/m, how far in slopes the facets
     are that mirror V into the horizon,
-    w = min(1, 0.53 + 1.05 x, max(0.89 − 0.5 m², 0.36 + 0.18 x)), at least 0.5, and
-    lean = 0.1 m min(1, 3x − 1.05, 2 − 0.55 x), at least 0.  Found by comparing
-    the lobes over all L: up to 85° from the normal what sticks out of f, and is
-    lost, is less than 0.2 % of the light.
+    w = min(1.12 x + min(0.52, 0.65 − 0.073/m), (1.012 + min(0.12 o, 0.03)) slope²/m²,
+    max(min(0.895, 0.85 + 0.22 m) − 0.5 o x, 0.47 − 0.3 o + 0.19 x)), o = max(0, m − 0.35), and
+    lean = m min((0.084 + 0.21 m²)(x − 0.19 − 0.058/m), (0.028 + 0.22 m)(3.1 − x), 0.21 − 0.19 m),
+    at least 0.  Found by comparing the lobes over all L: up to 85° from the
+    normal what sticks out of f, and is lost, is less than 0.2 % of the light.
 
-    >>> [round(float(y), 6) for y in native_lobe(1.0, 0.2)]        # smooth, from above: all of it
-    [1.0, 0.0]
+    >>> [round(float(y), 4) for y in native_lobe(1.0, 0.1)]
+    [0.9977, 0.0]
     >>> [round(float(y), 4) for y in native_lobe(0.5, 0.3)]
-    [0.845, 0.03]
+    [0.895, 0.0157]
     """
-    cosine = clip(n_v, 0.0, 1.0)
-    x = cosine / ((1.0 + sqrt(1.0 - cosine * cosine)) * m)
-    share = maximum(0.5, minimum(1.0, 0.53 + 1.05 * x, maximum(0.89 - 0.5 * (m * m), 0.36 + 0.18 * x)))
-    lean = 0.1 * m * clip(minimum(3.0 * x - 1.05, 2.0 - 0.55 * x), 0.0, 1.0)
-    return share, lean
+    x = n_v / (m * sqrt(1.0 - n_v * n_v) + m)
+    narrower = native_slope(m) / m
+    grazing = 1.12 * x + minimum(0.52, 0.65 - 0.073 / m)
+    over = maximum(m - 0.35, 0.0)
+    peak = (1.012 + minimum(0.12 * over, 0.03)) * (narrower * narrower)
+    middle = maximum(minimum(0.895, 0.85 + 0.22 * m) - (0.5 * over) * x, 0.19 * x + (0.47 - 0.3 * over))
+    share = minimum(grazing, peak, middle)
+    lean_far = (0.084 + 0.21 * (m * m)) * (x - (0.19 + 0.058 / m))
+    lean_near = (0.028 + 0.22 * m) * (3.1 - x)
+    return share, m * clip(minimum(lean_far, lean_near), 0.0, 0.21 - 0.19 * m)
 
 
 @term("Roulette")
@@ -76,10 +95,10 @@ def kept(share):
     A drawn facet's weight is divided by it; the nodes of a facet that is not
     drawn are not evaluated.
 
-    >>> round(float(kept(0.6)), 6), round(float(kept(1.0)), 6)
-    (0.3, 0.06)
+    >>> round(float(kept(0.75)), 6), round(float(kept(0.9)), 6)
+    (0.45, 0.24)
     """
-    return 0.66 - 0.6 * share
+    return -1.4 * share + 1.5
 
 
 @term("F0, F82")
@@ -128,8 +147,8 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
     and a_along, slopes of the lobe in its own frame; stretch, see
     :func:`addon.reflectance.sampling.narrowed`.  And at the mean of what the
     lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; sine of the
-    tilt; v_across; D as peak·exp(−steepness/m²)/m²; and density, D over the drawn
-    density's part that depends on the distribution and the side.
+    tilt; v_across; D as root_peak²·exp(−steepness/m²)/m²; and density, D over the
+    drawn density's part that depends on the distribution and the side.
 
     >>> from .directions import direction
     >>> up = direction(0.0, 0.0)
@@ -137,90 +156,95 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
     >>> round(float(x.n_h), 4), round(float(x.v_h), 4), float(x.density)     # tan α = m
     (0.8944, 0.8944, 1.0)
     """
-    m_drawn, stretch = narrowed(m, a)
+    m2 = m * m
+    m2_drawn, stretch = narrowed(m, a)
     kept_u, drawn_density = towards_flanks(u_tilt, flanks)
-    drawn = tilt(kept_u, m_drawn)
-    along = maximum(a, wide * minimum(2.5 * drawn / m, 1.0))
+    drawn2 = squared_tilt(kept_u, m2_drawn)
+    drawn = sqrt(drawn2)
+    along = maximum(a, minimum((2.5 * wide / m) * drawn, wide))
     # Along a tangent the tilt only grows, its square by half the lobe's; and D with it, but for a factor.
     grown = along * along - a * a
-    weighed = sqrt(drawn * stretch * (drawn * stretch) + 0.5 * grown)
-    thinner = sqrt(1.0 - grown / (m * m))
-    sine_drawn, cos_drawn, sine, n_h, density, steepness, peak, to_angle = (
-        where(gaussian, g, b) for g, b in zip(_gaussian(drawn, weighed, m), _beckmann(drawn, weighed)))
+    weighed2 = (stretch * stretch) * drawn2 + 0.5 * grown
+    thinner = sqrt(1.0 - (1.0 / m2) * grown)
+    sine_drawn, cos_drawn, sine, n_h, density, root_peak, to_angle = (
+        where(gaussian, g, b) for g, b in zip(_gaussian(drawn, weighed2, m), _beckmann(drawn2, drawn, weighed2)))
 
     t, b = frame_about(n)
-    phi = 2.0 * PI * u_azimuth
+    phi = (2.0 * PI) * u_azimuth
     across = widen(cos(phi)) * t + widen(sin(phi)) * b
     n_v, across_v = dot(n, v), dot(across, v)
-    this = maximum(cos_drawn * n_v + sine_drawn * across_v, 0.0)
-    other = maximum(cos_drawn * n_v - sine_drawn * across_v, 0.0)
-    is_other = less(this, u_side * (this + other))
-    side = 1.0 - 2.0 * is_other
+    # V·H is upright + aside on the one side of the groove, and upright - aside on the other; one of them may be hidden.
+    upright, aside = cos_drawn * n_v, sine_drawn * across_v
+    twice = 2.0 * upright
+    side = 1.0 - 2.0 * less(upright + aside, twice * u_side)
+    seen = maximum(minimum(twice / (side * aside + upright), 1.0), SMALLEST)
 
     v_across = side * across_v
     v_h = maximum(n_h * n_v + sine * v_across, 0.0)
-    seen = maximum(v_cavity_one_side(cos_drawn, n_v, where(is_other, other, this)), SMALLEST)
     return SimpleNamespace(
         h=widen(cos_drawn) * n + widen(side * sine_drawn) * across, across=across,
-        a_across=a * to_angle * to_angle, a_along=along * to_angle, stretch=stretch,
-        n_h=n_h, n_v=n_v, n_l=2.0 * v_h * n_h - n_v, v_h=minimum(v_h, 1.0), sine=sine, v_across=v_across,
-        steepness=steepness, peak=peak, density=density * cos_drawn * thinner / (seen * drawn_density))
+        a_across=a * (to_angle * to_angle), a_along=along * to_angle, stretch=stretch,
+        n_h=n_h, n_v=n_v, n_l=(2.0 * v_h) * n_h - n_v, v_h=v_h, sine=sine, v_across=v_across,
+        steepness=weighed2, root_peak=root_peak, density=density * cos_drawn * thinner / (seen * drawn_density))
 
 
-def _beckmann(drawn, weighed):
-    """What :func:`facet` needs of a facet with tan α = drawn, weighed at another, in its order.
+def _beckmann(drawn2, drawn, weighed2):
+    """What :func:`facet` needs of a facet with tan² α = drawn2, weighed at another, in its order.
 
     In the plane of slopes dω = cos³ α d²slope, which D cos α leaves a 1/cos α
     of; an angle is cos² α of its slope across the rings, and cos α along them.
     """
-    cos_drawn, n_h = 1.0 / sqrt(1.0 + drawn * drawn), 1.0 / sqrt(1.0 + weighed * weighed)
-    to_slope = 1.0 / n_h
-    peak = to_slope * to_slope * (to_slope * to_slope)
-    return drawn * cos_drawn, cos_drawn, weighed * n_h, n_h, to_slope, weighed * weighed, peak, cos_drawn
+    cos_drawn, root_peak = 1.0 / sqrt(1.0 + drawn2), 1.0 + weighed2
+    to_slope = sqrt(root_peak)
+    return drawn * cos_drawn, cos_drawn, sqrt(weighed2) / to_slope, 1.0 / to_slope, to_slope, root_peak, cos_drawn
 
 
-def _gaussian(drawn, weighed, m):
+def _gaussian(drawn, weighed2, m):
     """What :func:`facet` needs of a facet with α = drawn, weighed at another, in its order.
 
     In the plane of (α cos φ, α sin φ) dω = sin α/α d²α.
     """
-    alpha_drawn = minimum(drawn, STEEPEST)
+    alpha_drawn, weighed = minimum(drawn, STEEPEST), sqrt(weighed2)
     alpha = maximum(minimum(weighed, STEEPEST), 1e-4)
     sine, n_h = sin(alpha), cos(alpha)
     c_m2 = gaussian_c(m) * (m * m)
-    return (sin(alpha_drawn), cos(alpha_drawn), sine, n_h, less(alpha, STEEPEST) * c_m2 * sine / alpha,
-            alpha * alpha, c_m2, 1.0)
+    return (sin(alpha_drawn), cos(alpha_drawn), sine, n_h, less(weighed, STEEPEST) * c_m2 * sine / alpha,
+            sqrt(c_m2), 1.0)
 
 
 @term("D native / D")
-def native_over_d(x, m, share, lean):
+def native_over_d(x, m, lean):
     """D G of the native lobe over D, and N·V over its own: what it reflects in units of the formula's F D/(4π N·V).
 
-    x            from :func:`facet`
-    m            rms slope
-    share, lean  of :func:`native_lobe`
+    x     from :func:`facet`
+    m     rms slope
+    lean  of :func:`native_lobe`
 
     Evaluated so that blurring it gives this: the blur makes exp(−κy) to
-    exp(−κy/(1 + κb))/(1 + κb), with κ = 1/share − 1 and b = stretch − 1 the
-    relative variance of stretched slopes, so a narrower and higher curve is
-    blurred.
+    exp(−κy/(1 + κb))/(1 + κb), with κ + 1 the square of m over the lobe's slope
+    and b = stretch − 1 the relative variance of stretched slopes, so a narrower
+    and higher curve is blurred.
 
     >>> from .directions import direction
     >>> up = direction(0.0, 0.0)
     >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
-    >>> round(float(native_over_d(x, 0.5, 1.0, 0.0)), 4)          # Smith's G
-    0.9998
+    >>> round(float(native_over_d(x, 0.5, 0.0)), 4)
+    0.9637
     """
-    # Cosines to the normal N + lean V.
-    scale = 1.0 / sqrt(1.0 + lean * lean + 2.0 * lean * x.n_v)
-    n_h = scale * (x.n_h + lean * x.v_h)
-    n_v = scale * (x.n_v + lean)
-    n_l = scale * (x.n_l + lean * (2.0 * x.v_h * x.v_h - 1.0))
-    to_slope2 = 1.0 / maximum(n_h * n_h, SMALLEST)
-    sharper = 1.0 / (1.0 - minimum((1.0 / share - 1.0) * (x.stretch - 1.0), 0.5))
-    ratio = exp((x.steepness - (to_slope2 - 1.0) / share) * sharper / (m * m))
-    g = smith_beckmann(n_v, n_l, m * sqrt(share))
-    return ratio * g * (sharper * to_slope2 * to_slope2 / (share * x.peak)) * (x.n_v / maximum(n_v, SMALLEST))
+    # Cosines to N + lean V, which is 1/shorter times as long as N; and the squares of slopes about it, and 1.
+    shorter2 = (lean + 2.0 * x.n_v) * lean + 1.0
+    y_h, y_v = lean * x.v_h + x.n_h, lean + x.n_v
+    y_l = maximum(((2.0 * x.v_h) * x.v_h - 1.0) * lean + x.n_l, SMALLEST)
+    slope2_h, slope2_v, slope2_l = (shorter2 / (y * y) for y in (y_h, y_v, y_l))
+    m2 = m * m
+    m_native = native_slope(m)
+    m2_native = m_native * m_native
+    narrower = m2 / m2_native
+    masked, shadowed = (smith_lambda_of_slope(sqrt(m2_native * slope2 - m2_native)) for slope2 in (slope2_v, slope2_l))
+    sharper = 1.0 / (1.0 - minimum((narrower - 1.0) * (x.stretch - 1.0), 0.5))
+    ratio = exp((sharper / m2) * x.steepness - (sharper / m2_native) * (slope2_h - 1.0))
+    peaks = slope2_h / x.root_peak
+    return (sharper * narrower) * ratio * (peaks * peaks) * (x.n_v * sqrt(shorter2)) / (y_v * (masked + shadowed + 1.0))
 
 
 @term("G")
@@ -239,36 +263,35 @@ def sharpened_v_cavity(x):
     (1.0, 1.0137)
     """
     v_h = maximum(x.v_h, 1e-3)
-    shadowed = less(x.n_l, x.n_v)
     steep = 2.0 * x.n_v / (v_h * v_h)
-    masking_across = steep * x.v_across
-    across = x.a_across * where(shadowed, masking_across - 8.0 * x.n_h * x.sine, masking_across)
+    shadowed = less(x.n_l, x.n_v)
+    across = x.a_across * (steep * x.v_across - shadowed * (8.0 * x.n_h * x.sine))
     along = x.a_along * steep * x.n_h
-    v_along2 = maximum(1.0 - x.n_v * x.n_v - x.v_across * x.v_across, 0.0)
-    reach = minimum(1.3 * sqrt(across * across + 0.6 * (along * along) * v_along2), 1.0)
-    groove = 2.0 * x.n_h / v_h
-    near = maximum(reach - absolute(1.0 - groove * minimum(x.n_l, x.n_v)), 0.0)
-    return v_cavity(x.n_h, x.n_v, x.n_l, x.v_h) + 0.25 * near * near / maximum(reach, SMALLEST)
+    v_along2 = maximum((1.0 - x.n_v * x.n_v) - x.v_across * x.v_across, 0.0)
+    reach = minimum(sqrt(1.69 * (across * across) + (along * along) * (1.014 * v_along2)), 1.0)
+    uncut = minimum(x.n_l, x.n_v) * (2.0 * x.n_h / v_h)
+    near = maximum(reach - absolute(uncut - 1.0), 0.0)
+    return maximum(minimum(uncut, 1.0), 0.0) + 0.25 * (near * near) / maximum(reach, SMALLEST)
 
 
 @term("f cos/p")
-def facet_weight(x, scale, native, n, k, f0, tint):
+def facet_weight(x, scale, native, n, k, f0, b):
     """Colour of the lobe about a drawn facet: F G less the native lobe, over the density, ``(..., 3)``.
 
-    x          from :func:`facet`
-    scale      of f, see :func:`scales`
-    native     weight of the native lobe times :func:`native_over_d`; 0 where there is none
-    n, k       complex refractive index, ``(..., 3)``
-    f0, tint   of :func:`native_fresnel`
+    x        from :func:`facet`
+    scale    of f, see :func:`scales`, times whatever else the lobe is weighed by
+    native   weight of the native lobe times :func:`native_over_d`, and the same else; 0 where there is none
+    n, k     complex refractive index, ``(..., 3)``
+    f0, b    F82 Fresnel term of the native lobe, as :func:`addon.reflectance.fresnel.f82_unclamped` has it
 
     With native 0 and a facet drawn with a = 0 it is f (N·L)/p(L).
 
     >>> from .directions import direction
     >>> up = direction(0.0, 0.0)
     >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
-    >>> facet_weight(x, 1.0, 0.0, 1.5, 0.0, 0.04, 1.0).round(4)
+    >>> facet_weight(x, 1.0, 0.0, 1.5, 0.0, 0.04, 0.0).round(4)
     array([0.0409])
     """
     v_h = widen(x.v_h)
-    whole = conductor(v_h, n, k) * widen(scale * sharpened_v_cavity(x))
-    return maximum(whole - f82(v_h, f0, tint) * widen(native), 0.0) * widen(x.density)
+    whole = conductor(v_h, n, k) * widen(x.density * scale * sharpened_v_cavity(x))
+    return maximum(whole - maximum(f82_unclamped(v_h, f0, b), 0.0) * widen(x.density * native), 0.0)

@@ -31,6 +31,7 @@ def conductor(cos_theta, n, k):
     n, k       index of refraction and extinction coefficient, n > 0, k ≥ 0
 
     With s² = 1 − c² and (u + iv)² = (n + ik)² − s², so that a = u² + v² = |(n + ik)² − s²|,
+    2cu = √(2c²(a + Re((n + ik)² − s²))),
     Rs = (a − 2cu + c²)/(a + 2cu + c²),
     Rp = Rs·(ac² − 2cus² + s⁴)/(ac² + 2cus² + s⁴), F = (Rs + Rp)/2.
     Born and Wolf, Principles of Optics, 7th ed., section 14.4.1; the equation
@@ -47,12 +48,11 @@ def conductor(cos_theta, n, k):
     nk = n * k
     real = n * n - k * k - s2
     a = sqrt(real * real + 4.0 * nk * nk)
-    u = sqrt(0.5 * (a + real))
-    s_even, s_odd = a + c2, 2.0 * cos_theta * u
+    s_even, s_odd = a + (c2 + SMALLEST), sqrt(2.0 * c2 * (a + real))
     p_even, p_odd = a * c2 + s2 * s2, s_odd * s2
-    r_s = (s_even - s_odd) / maximum(s_even + s_odd, SMALLEST)
-    r_p_over_r_s = (p_even - p_odd) / maximum(p_even + p_odd, SMALLEST)
-    return 0.5 * r_s * (1.0 + r_p_over_r_s)
+    half_r_s = 0.5 * ((s_even - s_odd) / (s_even + s_odd))
+    r_p_over_r_s = (p_even - p_odd) / (p_even + p_odd)
+    return half_r_s * r_p_over_r_s + half_r_s
 
 
 @term("F")
@@ -164,8 +164,19 @@ def f82(cos_theta, f0, tint):
     >>> round(float(f82(1 / 7, 0.9, 0.8) / schlick(1 / 7, 0.9)), 6)
     0.8
     """
-    b = schlick(COS_THETA_82, f0) * (1.0 - tint) * (1.0 / F82_LOBE)
-    return clip(f82_unclamped(cos_theta, f0, b), 0.0, 1.0)
+    return clip(f82_unclamped(cos_theta, f0, f82_factor(f0, tint)), 0.0, 1.0)
+
+
+def f82_factor(f0, tint):
+    """The F82 model's b: how much of c·(1−c)⁶ Schlick's curve lacks.
+
+    f0    reflectance at normal incidence, [0, 1]
+    tint  F82 tint, as in :func:`f82`
+
+    >>> float(f82_factor(0.9, 1.0))
+    0.0
+    """
+    return schlick(COS_THETA_82, f0) * (1.0 - tint) * (1.0 / F82_LOBE)
 
 
 def f82_unclamped(cos_theta, f0, b):
@@ -178,7 +189,9 @@ def f82_unclamped(cos_theta, f0, b):
     >>> round(float(f82_unclamped(0.5, 0.04, 1.0)), 6)
     0.062188
     """
-    return schlick(cos_theta, f0) - b * (cos_theta * power(1.0 - cos_theta, 6.0))
+    q = 1.0 - cos_theta
+    q5 = power(q, 5.0)
+    return f0 + (1.0 - f0) * q5 - b * (cos_theta * q * q5)
 
 
 def f82_tint_of(f0, reflectance_82):

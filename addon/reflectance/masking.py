@@ -1,14 +1,14 @@
 """Geometrical attenuation G: the share of facets that are neither masked from the viewer nor shadowed."""
 
-from ..operands import clip, less, maximum, minimum, sqrt, term, where
+from ..operands import maximum, minimum, sqrt, term
 
-__all__ = ["v_cavity", "v_cavity_one_side", "smith_beckmann", "smith_lambda"]
+__all__ = ["v_cavity", "v_cavity_one_side", "smith_beckmann", "smith_lambda", "smith_lambda_of_slope"]
 
 SMALLEST = 1e-6
 """Keeps a denominator away from 0 at grazing incidence."""
 
-A_OF_NO_SHADOW = 1.6
-"""Above this a = 1/(m tan θ), Smith's Λ is taken as 0."""
+T_OF_NO_SHADOW = 1.0 / 1.6
+"""Below this m tan θ, Smith's Λ is taken as 0."""
 
 
 @term("G")
@@ -44,7 +44,7 @@ def v_cavity_one_side(n_h, n_v, v_h):
 def smith_beckmann(n_v, n_l, m):
     """Smith's G = 1/(1 + Λ(V) + Λ(L)), height-correlated, as the Beckmann closure of Cycles evaluates it.
 
-    n_v, n_l  cosines, ``(...)``; 0 where one is below the surface
+    n_v, n_l  cosines, ``(...)``; below 1e-5/m where one is below the surface
     m         rms slope, above 0
 
     Heitz 2014, equation 99.
@@ -52,22 +52,30 @@ def smith_beckmann(n_v, n_l, m):
     >>> float(smith_beckmann(1.0, 1.0, 0.4))
     1.0
     """
-    above = less(0.0, minimum(n_v, n_l))
-    return where(above, 1.0 / (1.0 + smith_lambda(n_v, m) + smith_lambda(n_l, m)), 0.0)
+    return 1.0 / (1.0 + smith_lambda(n_v, m) + smith_lambda(n_l, m))
 
 
 def smith_lambda(cos_theta, m):
-    """Smith's Λ for Beckmann's distribution: (1 − 1.259 a + 0.396 a²)/(3.535 a + 2.181 a²), a = 1/(m tan θ).
+    """Smith's Λ for Beckmann's distribution: (t² − 1.259 t + 0.396)/(3.535 t + 2.181), t = m tan θ.
 
-    0 where a is 1.6 or more.  The rational
-    approximation of B. Walter et al., "Microfacet Models for Refraction through
-    Rough Surfaces", EGSR 2007, as Heitz 2014 gives it below equation 69.
+    0 where t is 1/1.6 or less.  The rational approximation in a = 1/t of
+    B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces",
+    EGSR 2007, as Heitz 2014 gives it below equation 69.
 
     >>> float(smith_lambda(0.9, 0.4))
     0.0
     >>> round(float(smith_lambda(0.1, 0.4)), 4)
     0.6908
     """
-    cosine = clip(cos_theta, SMALLEST, 1.0)
-    a = minimum(cosine / maximum(m * sqrt(1.0 - cosine * cosine), SMALLEST), A_OF_NO_SHADOW)
-    return maximum((1.0 + a * (0.396 * a - 1.259)) / (a * (3.535 + 2.181 * a)), 0.0)
+    cosine, m2 = maximum(cos_theta, SMALLEST), m * m
+    return smith_lambda_of_slope(sqrt(m2 / (cosine * cosine) - m2))
+
+
+def smith_lambda_of_slope(t):
+    """:func:`smith_lambda` where t = m tan θ is known.
+
+    >>> round(float(smith_lambda_of_slope(2.0)), 4)
+    0.203
+    """
+    t = maximum(t, T_OF_NO_SHADOW)
+    return maximum((t - 1.259) * t + 0.396, 0.0) / (3.535 * t + 2.181)

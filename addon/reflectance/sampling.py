@@ -9,7 +9,7 @@ slopes add like variances, (m² − a²) + a² = m².
 
 from ..operands import less, log, maximum, minimum, sqrt, where
 
-__all__ = ["narrow_slope", "wide_slope", "narrowed", "towards_flanks", "tilt", "chosen"]
+__all__ = ["narrow_slope", "wide_slope", "narrowed", "towards_flanks", "squared_tilt", "chosen"]
 
 SMALLEST_DRAW = 1e-7
 """A random number of 0 is taken as this one: the tilt stays finite."""
@@ -40,19 +40,19 @@ def wide_slope(m, width):
 
 
 def narrowed(m, a):
-    """The slope √(m² − a²) to draw facets from, and what to stretch the drawn slope by to undo that.
+    """The square m² − a² of the slope to draw facets from, and what to stretch the drawn slope by to undo that.
 
     Given a slope in the blurred lobe, the drawn slopes that it comes from are
     shorter by (m² − a²)/m² on average; at a drawn slope stretched by the
     inverse, weights are evaluated without bias of first order.
 
-    >>> m_drawn, stretch = narrowed(0.5, 0.3)
-    >>> round(float(m_drawn), 6), round(float(stretch), 6)
-    (0.4, 1.5625)
+    >>> m2_drawn, stretch = narrowed(0.5, 0.3)
+    >>> round(float(m2_drawn), 6), round(float(stretch), 6)
+    (0.16, 1.5625)
     """
     m2 = m * m
     rest = maximum(m2 - a * a, 0.04 * m2)
-    return sqrt(rest), m2 / rest
+    return rest, m2 / rest
 
 
 def towards_flanks(u, bias):
@@ -66,17 +66,19 @@ def towards_flanks(u, bias):
     (0.3246, 1.2806)
     """
     b = 1.0 + bias
-    x = 2.0 * u / (b + sqrt(b * b - 4.0 * bias * u))
-    return x, b - 2.0 * bias * x
+    root = sqrt(b * b - (4.0 * bias) * u)
+    return 2.0 * u / (b + root), root
 
 
-def tilt(x, m):
-    """m √(−ln x): tan α of Beckmann's distribution, or α of the Gaussian in its plane, for x even in [0, 1).
+def squared_tilt(x, m2):
+    """−m² ln x: tan² α of Beckmann's distribution, or α² of the Gaussian in its plane, for x even in [0, 1).
 
-    >>> round(float(tilt(0.36787944, 0.3)), 6)
-    0.3
+    m2  square of the rms slope
+
+    >>> round(float(squared_tilt(0.36787944, 0.09)), 6)
+    0.09
     """
-    return m * sqrt(-log(maximum(x, SMALLEST_DRAW)))
+    return -m2 * log(maximum(x, SMALLEST_DRAW))
 
 
 def chosen(u, weights, *values):

@@ -28,7 +28,7 @@ def drawn(theta, m, gaussian=0.0, flanks=0.0, count=1 << 15):
     """Facets drawn for mirrors, their L and the weights f (N·L)/p(L)."""
     v = direction(theta, 0.0)
     x = sampler.facet(UP, v, m, 0.0, 0.0, flanks, gaussian, *even_numbers(count))
-    weight = sampler.facet_weight(x, 1.0, 0.0, *COPPER, 0.0, ONE)
+    weight = sampler.facet_weight(x, 1.0, 0.0, *COPPER, 0.0, 0.0)
     return x, mirrored(v, x.h), weight
 
 
@@ -89,7 +89,7 @@ def native_reflectance(v, l, m):
     share, lean = sampler.native_lobe(v[2], m)
     normal = UP + lean * v
     normal = normal / np.linalg.norm(normal)
-    n_v, slope = normal @ v, m * np.sqrt(share)
+    n_v, slope = normal @ v, sampler.native_slope(m)
     g = masking.smith_beckmann(n_v, l @ normal, slope) * (l[..., 2] > 0.0)
     return sampler.HEADROOM * share * slopes.beckmann(half_vector(v, l) @ normal, slope) * g / (4 * np.pi * n_v)
 
@@ -168,24 +168,25 @@ def blurred(v, l, m, width=0.2):
     """
     a, wide = sampling.narrow_slope(m, width), sampling.wide_slope(m, width)
     share, lean = sampler.native_lobe(v[2], m)
-    m_drawn, _ = sampling.narrowed(m, a)
+    m2_drawn, _ = sampling.narrowed(m, a)
     h = half_vector(v, l)
     rho = np.hypot(h[:, 0], h[:, 1]) / h[:, 2]
     sx, sy, area = slopes_about(h, a, np.maximum(a, wide * np.minimum(2.5 * rho / m, 1.0)))
     # The random numbers that draw the facet of slope (sx, sy), for frame_about's tangents at N = z: (y, -x).
-    kept = np.exp(-(sx ** 2 + sy ** 2) / m_drawn ** 2)
+    kept = np.exp(-(sx ** 2 + sy ** 2) / m2_drawn)
     flanks = sampler.FLANKS
     u_tilt = kept * (1 + flanks - flanks * kept)
     u_azimuth = np.mod(np.arctan2(-sx, sy) / (2 * np.pi), 1.0)
     x = sampler.facet(UP, v, m, a, wide, flanks, 0.0, u_tilt, u_azimuth, 0.0)
-    likely = kept > 1e-6
-    assert_allclose(x.h[..., 0][likely], (sx / np.sqrt(1 + sx ** 2 + sy ** 2))[likely], atol=1e-6)
-    v_h = x.h @ v
-    other = 2 * x.h[..., 2] * v[2] - v_h
+    wanted = np.stack([sx, sy, np.ones_like(sx)], axis=-1) / np.sqrt(1 + sx ** 2 + sy ** 2)[..., None]
+    v_h = wanted @ v
+    drawn_as_wanted = (kept > 1e-6) & (v_h > 0.0)  # of a hidden facet the other side of the groove is drawn
+    assert_allclose(x.h[drawn_as_wanted], wanted[drawn_as_wanted], atol=1e-6)
+    other = 2 * wanted[..., 2] * v[2] - v_h
     picked = 2 * np.maximum(v_h, 0) / np.maximum(np.maximum(v_h, 0) + np.maximum(other, 0), 1e-12)
-    density = kept / (np.pi * m_drawn ** 2) * (1 + flanks - 2 * flanks * kept) * picked
-    native = sampler.HEADROOM * share * sampler.native_over_d(x, m, share, lean)
-    weight = sampler.facet_weight(x, 1.0, native, *NEVER_FRESNEL, ONE, ONE)[..., 0]
+    density = kept / (np.pi * m2_drawn) * (1 + flanks - 2 * flanks * kept) * picked
+    native = sampler.HEADROOM * share * sampler.native_over_d(x, m, lean)
+    weight = sampler.facet_weight(x, 1.0, native, *NEVER_FRESNEL, ONE, 0.0)[..., 0]
     value = weight * narrow_lobe(x, v, l[:, None, None, :], h[:, None, None, :]) * (v_h > 0.0)
     drawn_part = np.sum(density * value * area, axis=(1, 2))
     square = np.sum(density * value ** 2 * area, axis=(1, 2)) / sampler.kept(share)
@@ -271,8 +272,8 @@ def test_slopes_are_drawn_by_weight():
 
 def test_widths():
     assert sampling.narrow_slope(0.3, 0.0) == 0.0
-    m_drawn, stretch = sampling.narrowed(0.3, 0.0)
-    assert_allclose(m_drawn, 0.3)
+    m2_drawn, stretch = sampling.narrowed(0.3, 0.0)
+    assert_allclose(m2_drawn, 0.09)
     assert stretch == 1.0
     assert sampling.narrow_slope(1.0, 1.0) < 0.34
     assert sampling.wide_slope(0.3, 0.0) == 0.0
