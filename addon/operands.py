@@ -11,6 +11,8 @@ a colour is widened with :func:`widen` first (with nodes that is free).
 """
 
 import functools
+import itertools
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -28,6 +30,12 @@ def _nodes(operands):
         if getattr(operand, "is_node_operand", False):
             return operand
     return None
+
+
+def _with_members(operands):
+    """The operands, and the members of those that bring several by name."""
+    members = [vars(operand).values() for operand in operands if isinstance(operand, SimpleNamespace)]
+    return [*operands, *itertools.chain(*members)]
 
 
 def _apply(name, on_arrays, *operands):
@@ -170,7 +178,7 @@ def term(symbol):
     def decorate(formula):
         @functools.wraps(formula)
         def named(*operands, **options):
-            node = _nodes(list(operands) + list(options.values()))
+            node = _nodes(_with_members([*operands, *options.values()]))
             if node is None:
                 return formula(*operands, **options)
             with node.builder.frame(symbol):

@@ -123,12 +123,15 @@ def scales(m, gaussian, published, printed_c):
     published  0 for the energy scale, 1 for the printed one: four times as
                bright, with printed_c in place of the c that normalises
 
+    Between its peak and its foot the Gaussian lies a little below Beckmann's D,
+    and the native lobe with it.
+
     >>> scales(0.2, 0.0, 0.0, 1.0), scales(0.2, 0.0, 1.0, 1.0)
     ((1.0, 1.0), (4.0, 4.0))
     """
     printed = 4.0 * (1.0 + gaussian * (printed_c / gaussian_c(m) - 1.0))
     scale = 1.0 + published * (printed - 1.0)
-    return scale, minimum(scale, 1.0 + 3.0 * published)
+    return scale, minimum(scale, 1.0 + 3.0 * published) * (1.0 - 0.03 * gaussian)
 
 
 @term("H")

@@ -48,9 +48,9 @@ def conductor(cos_theta, n, k):
     nk = n * k
     real = n * n - k * k - s2
     a = sqrt(real * real + 4.0 * nk * nk)
-    s_even, s_odd = a + (c2 + SMALLEST), sqrt(2.0 * c2 * (a + real))
+    s_even, s_odd = a + c2, sqrt(2.0 * c2 * (a + real))
     p_even, p_odd = a * c2 + s2 * s2, s_odd * s2
-    half_r_s = 0.5 * ((s_even - s_odd) / (s_even + s_odd))
+    half_r_s = 0.5 * ((s_even - s_odd) / maximum(s_even + s_odd, SMALLEST))
     r_p_over_r_s = (p_even - p_odd) / (p_even + p_odd)
     return half_r_s * r_p_over_r_s + half_r_s
 
