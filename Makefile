@@ -15,17 +15,20 @@ TESTS ?= tests/unit tests/render tests/package
 RUN = $(VENV)/bin/python
 # The oldest Blender supported builds the assets: a newer one opens its files, it opens no newer one's.
 OLDEST ?= .venv-4.5
+# A Blender with a display, for "make test-window": a path or a command.
+BLENDER ?=
 # What "make smoke" runs: the zip, every preset and realisation, the groups.
 SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups.py tests/render/test_materials.py
 SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo figures test verify smoke matrix bench package assets
+.PHONY: help setup demo figures test verify smoke matrix bench package assets test-window
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
 	@echo "make figures   every picture and plot of the documents; FIGURES=\"vases_6 watch\" makes only these"
 	@echo "make test      run the tests; make test BPY=5.2 (or 4.5, 5.0, 5.1) for another Blender"
+	@echo "make test-window BLENDER=/path/to/blender   click through the extension in a real window"
 	@echo "make matrix    run the tests and the verification on Blender 4.5, 5.0, 5.1 and 5.2"
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make bench     measure time, noise and sizes, write out/bench.json and docs/benchmarks.md"
@@ -47,6 +50,11 @@ figures: setup
 
 test: setup
 	$(RUN) -m pytest $(TESTS)
+
+test-window:
+	@[ -n "$(BLENDER)" ] || { echo "Say which Blender to open a window of: make test-window BLENDER=/path/to/blender"; exit 2; }
+	@$(MAKE) --no-print-directory setup
+	$(RUN) tests/window/run.py --blender "$(BLENDER)"
 
 smoke: setup
 	$(RUN) -m pytest $(SMOKE)
