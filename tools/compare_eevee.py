@@ -37,6 +37,7 @@ WHITE = 1.6
 LOST_BITS = 1
 """Of eight a channel: no eye sees it, and the file shrinks by a quarter."""
 
+
 def pair(make):
     """The sphere of a material by Cycles and by EEVEE, each ``(rows from the bottom, columns, 3)``."""
     scene = scenes.empty_scene(RESOLUTION, samples=SAMPLES["CYCLES"])
