@@ -56,7 +56,8 @@ def session():
     bpy.context.window_manager.facet_film.illuminant = "A"
     with within(view):
         assert "RUNNING_MODAL" in bpy.ops.facet_film.rebake_all("INVOKE_DEFAULT")
-    yield 0.4
+    yield 0.2
+    yield 0.2  # the first step is over now, and the status bar drawn
     picture("baking")
     yield from key("ESC", middle_of(view))
     yield 0.5

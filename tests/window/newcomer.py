@@ -59,7 +59,7 @@ def session():
     rendered = yield from find(view, "shading.type", "HEADER")
     yield from click(*rendered)
     yield from until(lambda: view.spaces.active.shading.type == "RENDERED", "the viewport renders")
-    yield 30.0
+    yield 8.0
     picture("click_3")
     assert hands.report["clicks"] == 3, hands.report["clicks"]
     view.spaces.active.shading.type = "SOLID"
