@@ -96,9 +96,9 @@ def kept(share):
     drawn are not evaluated.
 
     >>> round(float(kept(0.75)), 6), round(float(kept(0.9)), 6)
-    (0.45, 0.24)
+    (0.33, 0.18)
     """
-    return -1.4 * share + 1.5
+    return 1.08 - share
 
 
 @term("F0, F82")
