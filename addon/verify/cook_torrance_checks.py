@@ -126,14 +126,14 @@ def soft_sun(realisation, rendered, parameters):
     """Bands of the sphere that reflect equally much, within their standard errors."""
     angle, diameter = SOFT_SUN
     pictures, towards = _sphere(realisation, rendered, 512, lambda scene: scenes.add_sun(
-        scene, angle, diameter=diameter))
+        scene, angle, diameter=diameter), seeds=10)
     reference, mask = probes.sun_reference(RESOLUTION, towards, diameter, **_formula(parameters))
     return _compare_bands(pictures, reference, mask)
 
 
 def area_lamp(realisation, rendered, parameters):
     """The same under a square lamp."""
-    pictures, lamp = _sphere(realisation, rendered, 512, probes.LAMPS["area lamp"])
+    pictures, lamp = _sphere(realisation, rendered, 512, probes.LAMPS["area lamp"], seeds=10)
     reference, mask = probes.lamp_reference(RESOLUTION, lamp, **_formula(parameters))
     return _compare_bands(pictures, reference, mask)
 
