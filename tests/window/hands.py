@@ -193,12 +193,12 @@ def group():
     return next((node.node_tree.name for node in nodes if node.bl_idname == "ShaderNodeGroup"), "")
 
 
-def play(session):
-    """Drive a session, write the report, quit."""
+def play(session, samples=4):
+    """Drive a session, write the report, quit. The viewport renders `samples`: it no longer takes a number set later."""
     faulthandler.dump_traceback_later(HANGS_AFTER, file=log_file)
     bpy.context.preferences.view.show_splash = False
     bpy.context.scene.render.engine = "CYCLES"  # EEVEE's shaders take a minute to compile without a graphics card
-    bpy.context.scene.cycles.preview_samples = 4
+    bpy.context.scene.cycles.preview_samples = samples
     bpy.context.preferences.edit.use_enter_edit_mode = False
     running = session()
 

@@ -38,9 +38,12 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "out" / "window")
     parser.add_argument("sessions", nargs="*", default=SESSIONS)
     options = parser.parse_args()
+    blender = shlex.split(options.blender)
+    if not blender or not shutil.which(blender[0]):
+        sys.exit(f"--blender {options.blender!r}: no such program; give the path of a Blender, or a command that starts one")
     out = options.out.resolve()
     package = build(out)
-    results = [twice(name, shlex.split(options.blender), package, out) for name in options.sessions]
+    results = [twice(name, blender, package, out) for name in options.sessions]
     sys.exit(FAILED if FAILED in results else max(results))
 
 
