@@ -199,6 +199,7 @@ def play(session, samples=4):
     bpy.context.preferences.view.show_splash = False
     bpy.context.scene.render.engine = "CYCLES"  # EEVEE's shaders take a minute to compile without a graphics card
     bpy.context.scene.cycles.preview_samples = samples
+    bpy.context.scene.cycles.use_preview_adaptive_sampling = False
     bpy.context.preferences.edit.use_enter_edit_mode = False
     running = session()
 

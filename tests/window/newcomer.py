@@ -58,7 +58,7 @@ def session():
     rendered = yield from find(view, "shading.type", "HEADER")
     yield from click(*rendered)
     yield from until(lambda: view.spaces.active.shading.type == "RENDERED", "the viewport renders")
-    yield 20.0  # two cores and no graphics card; a graphics card shows this at once
+    yield 30.0  # two cores and no graphics card; a graphics card shows this at once
     picture("click_3")
     assert hands.report["clicks"] == 3, hands.report["clicks"]
     view.spaces.active.shading.type = "SOLID"
@@ -70,4 +70,4 @@ def session():
     yield from until(lambda: preset() == "copper", "copper after redo")
 
 
-hands.play(session, samples=1024)
+hands.play(session, samples=2000)
