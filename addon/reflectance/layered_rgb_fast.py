@@ -69,8 +69,8 @@ SLANT, CURVE = 1.4, 1.2
 PEAK_POWER = 4.0
 TOP_STEP = 0.62
 """Standard deviations of the peak between the three directions that lead from its mean to its top."""
-LOST = 0.84
-"""A native lobe reaches the horizon sooner than a Gaussian as wide."""
+HORIZON, HIDDEN = 0.9, 0.35
+"""How near a native lobe comes to the horizon, in its deviations, and how much of what it loses there V does not see."""
 
 
 @term("Exit directions")
@@ -369,7 +369,7 @@ def _r_lobe(view, n0, exits, f, e0, albedo):
 
 def _t_lobes(view, n0, n1, exits, plane, r1, e1, albedo, peak, sigma):
     """T's lobes, each about the normal that mirrors V to its channel's peak."""
-    with_loss = term("T lobes")(_cut_off)(albedo, peak, sigma)
+    with_loss = term("T lobes")(_cut_off)(albedo, exits.n0_v, peak, sigma)
     # The peak: D turned about its plane's normal, as a sum of V, n0 and n1 as D is.
     turned = sin(peak) / maximum(plane.sin_1, LEAST_SINE)
     on_n0 = turned * (exits.on_n0 - exits.cos_1) + cos(peak)
@@ -381,9 +381,15 @@ def _t_lobes(view, n0, n1, exits, plane, r1, e1, albedo, peak, sigma):
                     of(slope_across))
 
 
-def _cut_off(albedo, peak, sigma):
-    """The colour of a lobe that loses what of it lies below the horizon, to reflect this albedo."""
-    return albedo / above(minimum(LOST * (HALF_PI - peak) / sigma, 4.0))
+def _cut_off(albedo, n0_v, peak, sigma):
+    """The colour of a lobe that loses what of it lies below the horizon, to reflect this albedo.
+
+    The horizon is n0's, or that of the lobe's normal, half-way between V and the peak, where it comes first; the
+    facets that would mirror V beyond it are seen at grazing angles, and count for less.
+    """
+    lower = maximum(peak, 0.5 * (peak + widen(arccos(n0_v))))
+    z = minimum(maximum(HORIZON * (HALF_PI - lower) / sigma, 0.5), 4.0)
+    return albedo / (above(z) + HIDDEN * bell(z) / z)
 
 
 def _aimed(view, n0, n1, on_v, on_n0, on_n1, colour, slope_in, slope_across):

@@ -167,12 +167,13 @@ def test_fast_furnace_of_parallel_boundaries(name, realisation):
     np.testing.assert_allclose(measured, albedos(**SETTINGS[name]), rtol=0.02)
 
 
+@pytest.mark.parametrize("realisation", ["fast", "osl_fast"])
 @pytest.mark.parametrize("name", ["parallel, 15 nm", "parallel, 70 nm", "parallel, 400 nm"])
-def test_osl_closures_close_to_the_horizon(name, monkeypatch):
-    """At 80° too OSL's closures reflect what the formula does within 2 %."""
-    angles = np.radians(np.linspace(76.0, 80.0, 8))
+def test_fast_furnace_close_to_the_horizon(name, realisation, monkeypatch):
+    """At 80° too the closures reflect what the formula does within 2 %."""
+    angles = np.radians(np.linspace(73.0, 80.0, 8))
     monkeypatch.setattr(scenes_of_layers, "TILE_ANGLES", angles)
-    scene = furnace_tiles("osl_fast", SETTINGS[name], samples=64, osl=True)
+    scene = furnace_tiles(realisation, SETTINGS[name], samples=128, osl=realisation.startswith("osl"))
     measured = furnace_means(probes.render_seeds(scene, 4)).mean(axis=0)
     reference = Reference.of(**SETTINGS[name])
     np.testing.assert_allclose(measured, [reference.albedo(tile_normal(angle)) for angle in angles], rtol=0.02)
