@@ -36,7 +36,7 @@ def sphere_scene(job, side, samples):
     return scene, bpy.context.object
 
 
-def rendered(job, model, options, realisation, title, side=150, samples=64):
+def rendered(job, model, options, realisation, title, side=150, samples=640):
     """The ball of this material, scene-linear."""
     from addon import api
     scene, ball = sphere_scene(job, side, samples)
@@ -97,8 +97,8 @@ def _in_this_blender(job):
 
 
 FIGURES = (
-    Figure("side_by_side_realisations", "Fast, Exact and OSL side by side", 60.0, realisations),
-    Figure("side_by_side_versions", "Two Blenders side by side", 50.0, versions),
+    Figure("side_by_side_realisations", "Fast, Exact and OSL side by side", 450.0, realisations),
+    Figure("side_by_side_versions", "Two Blenders side by side", 230.0, versions),
 )
 
 

@@ -14,6 +14,7 @@ from ..parameters import DEFAULT_SAMPLING_WIDTH
 from ..reflectance.cook_torrance_sampler import (
     FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_lobe, native_over_d,
     native_slope, scales)
+from ..reflectance.directions import facing
 from ..reflectance.fresnel import f82_factor
 from ..reflectance.sampling import chosen, narrow_slope, wide_slope
 from .builder import GroupBuilder
@@ -50,7 +51,8 @@ class _Surface:
 
     def __init__(self, builder, sockets):
         self.builder, self.sockets = builder, sockets
-        self.normal, self.view = builder.normal(sockets.normal), builder.incoming()
+        self.view = builder.incoming()
+        self.normal = facing(builder.normal(sockets.normal), self.view)
         self.n_v = dot(self.normal, self.view)
         self.fresnel_82 = native_fresnel(sockets.n, sockets.k)
         with builder.frame("Width > 0"):

@@ -4,6 +4,7 @@ import math
 from types import SimpleNamespace
 
 from ..operands import cross, dot, less, normalize, where
+from ..reflectance.directions import facing
 from ..reflectance.layered_rgb import WAVELENGTHS, tilted_normal
 
 __all__ = ["layered_inputs", "normals"]
@@ -59,10 +60,10 @@ def layered_inputs(builder):
                            lower=lower, tangent=tangent)
 
 
-def normals(builder, sockets):
-    """n0 and n1 of the surface under the sockets' settings."""
+def normals(builder, sockets, view):
+    """n0 and n1 of the surface under the sockets' settings, n0 turned to face V."""
     with builder.frame("n0"):
-        n0 = builder.normal(sockets.normal)
+        n0 = facing(builder.normal(sockets.normal), view)
         around = builder.node("ShaderNodeTangent", direction_type="RADIAL", axis="Z")
         along = where(less(dot(sockets.tangent, sockets.tangent), NOTHING), around, sockets.tangent)
         bitangent = normalize(cross(n0, along))

@@ -32,8 +32,9 @@ def build():
         "Sampling Width", DEFAULT_WIDTH, minimum=0.0, maximum=0.9, subtype="FACTOR",
         description="0: the formula itself, by mirrors that only light which they happen to hit can reach; "
                     "above: narrow lobes of this share of each lobe's width, which lamps of any size light")
-    n0, n1 = normals(builder, sockets)
-    specular = _drawn_lobe(builder, sockets, n0, n1)
+    view = builder.incoming()
+    n0, n1 = normals(builder, sockets, view)
+    specular = _drawn_lobe(builder, sockets, view, n0, n1)
     with builder.frame("specular ρ + diffuse ρ_d/π"):
         albedo = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published)
         native = builder.node("ShaderNodeBsdfDiffuse", {
@@ -42,9 +43,9 @@ def build():
     return builder.finish()
 
 
-def _drawn_lobe(builder, sockets, n0, n1):
+def _drawn_lobe(builder, sockets, view, n0, n1):
     """The Glossy BSDF, mirror or narrow lobe, about the H of a drawn L."""
-    view, r1 = builder.incoming(), sockets.r1
+    r1 = sockets.r1
     lobes = proposal(view, n0, n1, r1, sockets.e0, sockets.e1)
     narrow = narrowed(lobes, r1, sockets.e0, sockets.e1, _width(builder, lobes, sockets))
     with builder.frame("Draw L"):

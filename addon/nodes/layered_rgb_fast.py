@@ -25,8 +25,8 @@ def build():
     """The node group, newly built."""
     builder = GroupBuilder(NAME)
     sockets = layered_inputs(builder)
-    n0, n1 = normals(builder, sockets)
     view = builder.incoming()
+    n0, n1 = normals(builder, sockets, view)
     lobes = native_lobes(view, n0, n1, sockets.r1, sockets.d, sockets.wavelengths, sockets.e0, sockets.e1,
                          sockets.published)
     closures = [_closure(builder, lobe, view, sockets.specular) for lobe in lobes]

@@ -66,7 +66,7 @@ def native_lobe(n_v, m):
     w = min(1.12 x + min(0.52, 0.65 − 0.073/m), (1.012 + min(0.12 o, 0.03)) slope²/m²,
     max(min(0.895, 0.85 + 0.22 m) − 0.5 o x, 0.47 − 0.3 o + 0.19 x)), o = max(0, m − 0.35), and
     lean = m min((0.084 + 0.21 m²)(x − 0.19 − 0.058/m), (0.028 + 0.22 m)(3.1 − x), 0.21 − 0.19 m),
-    at least 0.  Found by comparing the lobes over all L: up to 85° from the
+    both at least 0.  Found by comparing the lobes over all L: up to 85° from the
     normal what sticks out of f, and is lost, is less than 0.2 % of the light.
 
     >>> [round(float(y), 4) for y in native_lobe(1.0, 0.1)]
@@ -80,7 +80,7 @@ def native_lobe(n_v, m):
     over = maximum(m - 0.35, 0.0)
     peak = (1.012 + minimum(0.12 * over, 0.03)) * (narrower * narrower)
     middle = maximum(minimum(0.895, 0.85 + 0.22 * m) - (0.5 * over) * x, 0.19 * x + (0.47 - 0.3 * over))
-    share = minimum(grazing, peak, middle)
+    share = maximum(minimum(grazing, peak, middle), 0.0)
     lean_far = (0.084 + 0.21 * (m * m)) * (x - (0.19 + 0.058 / m))
     lean_near = (0.028 + 0.22 * m) * (3.1 - x)
     return share, m * clip(minimum(lean_far, lean_near), 0.0, 0.21 - 0.19 * m)
@@ -95,10 +95,10 @@ def kept(share):
     A drawn facet's weight is divided by it; the nodes of a facet that is not
     drawn are not evaluated.
 
-    >>> round(float(kept(0.75)), 6), round(float(kept(0.9)), 6)
-    (0.33, 0.18)
+    >>> round(float(kept(0.75)), 6), round(float(kept(0.9)), 6), kept(0.0)
+    (0.33, 0.18, 1.0)
     """
-    return 1.08 - share
+    return minimum(1.08 - share, 1.0)
 
 
 @term("F0, F82")

@@ -6,11 +6,14 @@ H = (V + L)/|V + L|.
 
 from types import SimpleNamespace
 
-from ..operands import absolute, cos, cross, dot, less, normalize, sin, term, vector, where, widen, x_of
+from ..operands import absolute, cos, cross, dot, less, maximum, normalize, sin, term, vector, where, widen, x_of
 
-__all__ = ["PI", "direction", "half_vector", "mirrored", "cosines", "frame_about", "in_frame"]
+__all__ = ["PI", "direction", "half_vector", "mirrored", "cosines", "facing", "frame_about", "in_frame"]
 
 PI = 3.141592653589793
+
+LEAST_N_V = 0.01
+"""Of :func:`facing`."""
 
 
 def direction(theta, phi):
@@ -51,6 +54,19 @@ def cosines(n, v, l):
     """
     h = half_vector(v, l)
     return SimpleNamespace(n_v=dot(n, v), n_l=dot(n, l), n_h=dot(n, h), v_h=dot(v, h))
+
+
+@term("N")
+def facing(n, v):
+    """N, turned towards V where N·V is below 0.01, as of a smoothed or bumped surface at its outline; ``(..., 3)``.
+
+    The formulas are made for surfaces that the viewer sees: seen from below, densities of what is drawn lose their sign.
+
+    >>> up = direction(0.0, 0.0)
+    >>> facing(up, direction(1.5, 0.0)).tolist(), round(float(dot(facing(up, direction(1.8, 0.0)), direction(1.8, 0.0))), 3)
+    ([0.0, 0.0, 1.0], 0.01)
+    """
+    return normalize(n + widen(maximum(LEAST_N_V - dot(n, v), 0.0)) * v)
 
 
 @term("Frame")

@@ -10,8 +10,8 @@ from addon.reflectance import cook_torrance as ct
 from addon.reflectance import cook_torrance_sampler as sampler
 from addon.reflectance import masking, sampling, slopes
 from addon.reflectance.albedo import cook_torrance_albedo, facet_normals
-from addon.reflectance.directions import direction, half_vector, mirrored
-from addon.reflectance.fresnel import conductor, f82
+from addon.reflectance.directions import direction, facing, half_vector, mirrored
+from addon.reflectance.fresnel import conductor, f82, f82_factor
 
 UP = direction(0.0, 0.0)
 COPPER = np.array([0.2, 0.92, 1.1]), np.array([3.91, 2.45, 2.14])
@@ -74,6 +74,33 @@ def test_weights_never_pass_fresnel():
         for m in (0.1, 0.4, 1.0):
             x, _, weight = drawn(theta, m)
             assert weight.max() < 1.0 + 1e-9
+
+
+@pytest.mark.parametrize("m", [0.001, 0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 1.0])
+def test_shares_are_shares(m):
+    """At every angle: a lobe weighed below 0 would be left out, and drawn facets make up for it."""
+    share, lean = sampler.native_lobe(np.linspace(0.0, 1.0, 2001), m)
+    assert share.min() >= 0.0 and share.max() <= 1.02 / sampler.HEADROOM
+    assert lean.min() >= 0.0
+    probability = sampler.kept(share)
+    assert probability.min() > 0.0 and probability.max() <= 1.0
+
+
+@pytest.mark.parametrize("m", [0.03, 0.1, 0.4, 1.0])
+@pytest.mark.parametrize("width", [0.0, 0.2, 1.0])
+def test_weights_are_bounded_wherever_the_normal_points(m, width):
+    """From below the surface too, as a Normal socket brings it; before the roulette."""
+    even = even_numbers(1 << 16, 4)
+    v = direction(np.arccos(2.0 * even[3] - 1.0), 0.0)
+    n = facing(UP, v)
+    a, wide = sampling.narrow_slope(m, width), sampling.wide_slope(m, width)
+    x = sampler.facet(n, v, m, a, wide, sampler.FLANKS * (width > 0.0), 0.0, *even[:3])
+    share, lean = sampler.native_lobe(x.n_v, m)
+    f0, tint = sampler.native_fresnel(*COPPER)
+    native = (width > 0.0) * sampler.HEADROOM * share * sampler.native_over_d(x, m, lean)
+    weight = sampler.facet_weight(x, 1.0, native, *COPPER, f0, f82_factor(f0, tint))
+    assert np.isfinite(weight).all() and weight.min() >= 0.0
+    assert weight.max() < 4.0
 
 
 def test_drawn_facets_are_seen():

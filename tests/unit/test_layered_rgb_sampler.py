@@ -103,6 +103,23 @@ def test_weights_are_bounded(case):
         assert weights.max() < 6.0
 
 
+@pytest.mark.parametrize("exponent", [5.0, 130.0, 2000.0])
+@pytest.mark.parametrize("width", [0.0, 0.3, 0.9])
+def test_weights_are_bounded_wherever_the_normals_point(exponent, width):
+    """From below the surface too, and for a lower boundary that is bumped by up to 85°: both as Normal sockets bring."""
+    count, r1, random = 100000, np.array((1.5, 1.6, 1.8)), np.random.default_rng(4)
+    even = random.random((7, count))
+    v = directions.direction(np.arccos(2.0 * even[0] - 1.0), 2.0 * math.pi * even[1])
+    n1 = directions.direction(math.radians(85.0) * even[2], 2.0 * math.pi * even[3])
+    n0 = directions.facing(UP, v)
+    lobes = sampler.proposal(v, n0, n1, r1, exponent, exponent)
+    narrow = sampler.narrowed(lobes, r1, exponent, exponent, sampler.tapered_width(lobes, width))
+    drawn = sampler.draw(lobes, narrow, v, n0, n1, r1, *even[4:])
+    weights = sampler.weight(lobes, narrow, drawn, v, n0, n1, r1, 92.0, layered.WAVELENGTHS, exponent, exponent)
+    assert np.isfinite(weights).all()
+    assert weights.max() < 6.0
+
+
 def test_shares_sum_to_one_and_every_lobe_is_drawn():
     r1, d, e0, e1, n1, v = setting(CASES[1], VIEWS[1])
     lobes, narrow = narrow_lobes(v, n1, r1, e0, e1)
