@@ -1,6 +1,5 @@
 """Normals that face away from the viewer, as bumps and smoothed outlines have them, make no bright specks."""
 
-import bpy
 import numpy as np
 import pytest
 
@@ -38,3 +37,15 @@ def test_no_bright_specks(model, parameters, realisation):
     assert np.isfinite(picture).all()
     assert picture.max() < BRIGHTEST
     assert picture[20:28, 20:28].mean() > 0.1
+
+
+@pytest.mark.parametrize("realisation", api.REALISATIONS)
+@pytest.mark.parametrize("model, parameters", CASES)
+def test_the_outline_of_a_smoothed_coarse_ball(model, parameters, realisation):
+    """Its interpolated normals face away in a wide rim: as bright as the rest of it, each pixel."""
+    scene = probes.empty_scene(48, samples=256, osl=realisation.startswith("osl"))
+    probes.set_world(scene, 1.0)
+    probes.add_sphere(api.create_material(model, realisation=realisation, **parameters), 12)
+    picture = probes.render(scene, 1)
+    assert np.isfinite(picture).all()
+    assert picture.max() < 1.6
