@@ -2,9 +2,9 @@
 
 import bpy
 
-from . import (asset_library, bake_operator, check_operator, data_operators, material_panel, measurement_panel,
-               node_menu, node_sidebar, picker, preferences, realisation_operator, rebake_all_operator, settings,
-               thumbnails, translations, updates, user_presets, verify_operator)
+from . import (asset_library, bake_operator, check_operator, data_operators, load_ahead, material_panel,
+               measurement_panel, node_menu, node_sidebar, picker, preferences, realisation_operator,
+               rebake_all_operator, settings, thumbnails, translations, updates, user_presets, verify_operator)
 
 __all__ = ["register", "unregister"]
 
@@ -12,7 +12,7 @@ CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLAS
            *check_operator.CLASSES, *rebake_all_operator.CLASSES, *user_presets.CLASSES, *material_panel.CLASSES,
            *updates.CLASSES, *measurement_panel.CLASSES, *material_panel.LAST_CLASSES, *asset_library.CLASSES,
            *node_menu.CLASSES, *node_sidebar.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
-ATTACHED = (translations, settings, material_panel, node_menu)
+ATTACHED = (translations, settings, material_panel, node_menu, load_ahead)
 COMMAND = "facet_film"
 _commands = []
 

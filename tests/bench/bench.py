@@ -9,6 +9,7 @@ independent seeds over the mean.
 
 import argparse
 import json
+import os
 import resource
 import statistics
 import subprocess
@@ -134,7 +135,9 @@ def interface(other):
     found = {bpy.app.version_string: bench_interface.measure(5)}
     if other:
         def said(*arguments):
-            return subprocess.run([other, *arguments], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+            # Python's environment, for bpy adds its own colour configuration to the process's, which no other one reads.
+            return subprocess.run([other, *arguments], cwd=ROOT, env=dict(os.environ), capture_output=True, text=True,
+                                  check=True).stdout
         version_string = said("-c", "import bpy; print('is', bpy.app.version_string)").split("is ")[1].strip()
         found[version_string] = json.loads(said(bench_interface.__file__, "--json"))
     return found

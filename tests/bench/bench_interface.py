@@ -5,7 +5,9 @@
 The real zip is installed into an empty profile and everything done once, so that its modules are compiled as they are
 for everyone from the second start on. Each figure is the median over the runs, in processor time. "First" is the first
 time in a session, with everything that is loaded for it, of presets and search after the panel has been drawn once, as
-there is nothing to click before; "later" is the slowest after that, of drawing the median. Drawing is of every panel of the Properties editor, opened, without what Blender does then with its layout.
+there is nothing to click before, and of presets after what a window loads while it is idle; "later" is the slowest
+after that, of drawing the median. Drawing is of every panel of the Properties editor, opened, without what Blender
+does then with its layout.
 """
 
 import argparse

@@ -37,6 +37,7 @@ def session():
     yield from key("RET", middle_of(view))
     yield from until(lambda: hands.MODULE in bpy.context.preferences.addons, "the extension is enabled", 30)
     bpy.ops.ed.undo_push(message="Installed")
+    yield from until(lambda: f"{hands.MODULE}.addon.bake.baking" in sys.modules, "what the first preset needs is loaded")
 
     step("click the Material tab")
     hands.report["clicks"] = 0
