@@ -17,9 +17,9 @@ from types import SimpleNamespace
 import numpy as np
 
 __all__ = [
-    "sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
+    "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
     "minimum", "maximum", "clip", "less", "where",
-    "dot", "cross", "length", "normalize", "vector", "x_of", "y_of", "z_of", "widen",
+    "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
     "term",
 ]
 
@@ -50,14 +50,19 @@ def sqrt(x):
     return _apply("sqrt", lambda a: np.sqrt(np.maximum(a, 0.0)), x)
 
 
+def inverse_sqrt(x):
+    """1/√x, x above 0."""
+    return _apply("inverse_sqrt", lambda a: 1.0 / np.sqrt(a), x)
+
+
 def exp(x):
     """e to the power of x."""
     return _apply("exp", np.exp, x)
 
 
 def log(x):
-    """Natural logarithm, x above 0."""
-    return _apply("log", np.log, x)
+    """Natural logarithm; 0 where x is 0 or below, as the shader's own logarithm."""
+    return _apply("log", lambda a: np.log(np.where(np.greater(a, 0.0), a, 1.0)), x)
 
 
 def sin(x):
@@ -146,6 +151,23 @@ def _normalize(a):
     a = np.asarray(a, dtype=float)
     size = np.linalg.norm(a, axis=-1, keepdims=True)
     return a / np.where(size > 0.0, size, 1.0)
+
+
+def rotate(a, axis, angle):
+    """The vector a turned about the unit axis, ``(..., 3)`` each, by an angle ``(...)`` in radians.
+
+    >>> rotate([1.0, 0.0, 0.0], [0.0, 0.0, 1.0], np.pi / 2).round(6).tolist()
+    [0.0, 1.0, 0.0]
+    """
+    return _apply("rotate", _rotate, a, axis, angle)
+
+
+def _rotate(a, axis, angle):
+    """By Rodrigues' formula."""
+    a, axis, angle = (np.asarray(x, dtype=float) for x in (a, axis, angle))
+    cosine, sine = np.cos(angle)[..., None], np.sin(angle)[..., None]
+    along = np.sum(axis * a, axis=-1, keepdims=True)
+    return cosine * a + sine * np.cross(axis, a) + ((1.0 - cosine) * along) * axis
 
 
 def vector(x, y, z):

@@ -27,8 +27,8 @@ SOCKET_TYPES = {
 MATH = {
     "add": "ADD", "subtract": "SUBTRACT", "multiply": "MULTIPLY", "divide": "DIVIDE", "power": "POWER",
     "minimum": "MINIMUM", "maximum": "MAXIMUM", "absolute": "ABSOLUTE", "sin": "SINE", "cos": "COSINE",
-    "tan": "TANGENT", "sqrt": "SQRT", "exp": "EXPONENT", "arccos": "ARCCOSINE", "less": "LESS_THAN",
-    "log": "LOGARITHM", "multiply_add": "MULTIPLY_ADD",
+    "tan": "TANGENT", "sqrt": "SQRT", "inverse_sqrt": "INVERSE_SQRT", "exp": "EXPONENT", "arccos": "ARCCOSINE",
+    "less": "LESS_THAN", "log": "LOGARITHM", "multiply_add": "MULTIPLY_ADD",
 }
 VECTOR_MATH = {name: MATH[name] for name in (
     "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan")}
@@ -52,15 +52,15 @@ class GroupBuilder:
         self.frame_of = {}         # node name -> frame label
         self._shared = {}          # expression -> operand
         self._products = {}        # Multiply node's name -> its two operands
-        self._varying = set()      # names of the nodes whose values differ from place to place, whatever the sockets
+        self._lasting = set()      # names of the nodes and inputs whose products no renderer folds away
         self._group_inputs = {}    # frame label -> Group Input node
         self._output_node = None
 
     # --- the group's interface ---
 
     def input(self, name, default=None, kind="FLOAT", *, minimum=None, maximum=None, subtype=None,
-              description="", panel=None, hide_value=False):
-        """A new input socket of the group, as an operand."""
+              description="", panel=None, hide_value=False, never_zero=False):
+        """A new input socket of the group, as an operand; never_zero promises that no product with it folds away."""
         parent = self._panel(panel) if panel else None
         item = self.tree.interface.new_socket(
             name, description=description, in_out="INPUT", socket_type=SOCKET_TYPES[kind], parent=parent)
@@ -72,6 +72,8 @@ class GroupBuilder:
         if default is not None:
             item.default_value = (*default, 1.0) if kind == "COLOR" else default
         item.hide_value = hide_value
+        if never_zero:
+            self._lasting.add(name)
         return NodeOperand(self, "VECTOR" if kind == "COLOR" else kind, name)
 
     def output(self, name, operand, kind=None, description=""):
@@ -104,8 +106,8 @@ class GroupBuilder:
             for identifier, operand in (inputs or {}).items():
                 self.connect(socket_of(node.inputs, identifier), operand)
             operands = [o for o in (inputs or {}).values() if isinstance(o, NodeOperand)]
-            if not operands or any(map(self._varies, operands)):
-                self._varying.add(node.name)
+            if any(map(self._lasts, operands)) or not operands:
+                self._lasting.add(node.name)
         socket = socket_of(node.outputs, output) if output else node.outputs[0]
         return NodeOperand(self, kind_of(socket), socket)
 
@@ -182,6 +184,9 @@ class GroupBuilder:
             return self._vector_math(VECTOR_TO_VECTOR[name], operands)
         if name in COMPONENT:
             return self.node("ShaderNodeSeparateXYZ", {"Vector": operands[0]}, COMPONENT[name])
+        if name == "rotate":
+            return self.node("ShaderNodeVectorRotate", dict(zip(("Vector", "Axis", "Angle"), operands)),
+                             rotation_type="AXIS_ANGLE")
         if name == "vector":
             return self.node("ShaderNodeCombineXYZ", dict(zip("XYZ", operands)))
         if any(is_vector(operand) for operand in operands):
@@ -194,7 +199,7 @@ class GroupBuilder:
             operands = (*operands, math.e)
         identifiers = ("Value", "Value_001", "Value_002")
         result = self.node("ShaderNodeMath", dict(zip(identifiers, operands)), operation=MATH[name])
-        if name == "multiply" and all(isinstance(o, float) or self._varies(o) for o in operands):
+        if name == "multiply" and all(isinstance(o, float) or self._lasts(o) for o in operands):
             self._products[result.source.node.name] = operands
         return result
 
@@ -223,9 +228,10 @@ class GroupBuilder:
         factors = self._products.get(operand.source.node.name)
         return factors and sorted(factors, key=lambda o: not isinstance(o, float))
 
-    def _varies(self, operand):
-        """Whether the operand comes from the place that is shaded and not only from sockets."""
-        return not isinstance(operand.source, str) and operand.source.node.name in self._varying
+    def _lasts(self, operand):
+        """Whether the operand comes from the place that is shaded, or from a socket that is never 0."""
+        source = operand.source
+        return (source if isinstance(source, str) else source.node.name) in self._lasting
 
     def _on_vectors(self, name, operands):
         if name in VECTOR_MATH:

@@ -9,7 +9,7 @@ Products start with what is constant as a rule, so that Cycles folds away what
 a material does not use.
 """
 
-from ..operands import dot, less, normalize, sqrt, where, widen
+from ..operands import dot, less, sqrt, where, widen
 from ..parameters import DEFAULT_SAMPLING_WIDTH
 from ..reflectance.cook_torrance_sampler import (
     FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_lobe, native_over_d,
@@ -74,11 +74,11 @@ class _Surface:
             shown = less(builder.random(ROULETTE), probability)
         x = facet(self.normal, self.view, m, a, wide, FLANKS * self.has_width, gaussian, tilt, azimuth, side)
         with builder.frame("Draw"):
-            weight = sockets.specular * sum(weights[1:], weights[0]) / probability
+            weight = sockets.specular * sum(weights[1:], weights[0])
         scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c)
-        native = self.has_width * (native_scale * HEADROOM) * (share * native_over_d(x, m, lean))
+        native = (self.has_width * (native_scale * HEADROOM) * share) * native_over_d(x, m, lean)
         f0, tint = self.fresnel_82
-        colour = facet_weight(x, weight * scale, weight * native, sockets.n, sockets.k, f0, f82_factor(f0, tint))
+        colour = facet_weight(x, scale, native, sockets.n, sockets.k, f0, f82_factor(f0, tint), weight, probability)
         with builder.frame("Draw"):
             squeezed = sqrt(x.a_across / x.a_along)
             glossy = builder.node("ShaderNodeBsdfAnisotropic", {
@@ -104,7 +104,7 @@ class _Surface:
         f0, tint = self.fresnel_82
         metallic = self.builder.node("ShaderNodeBsdfMetallic", {
             "Base Color": f0, "Edge Tint": tint, "Roughness": sqrt(native_slope(m)),
-            "Normal": normalize(self.normal + widen(lean) * self.view),
+            "Normal": self.normal + widen(lean) * self.view,
         }, distribution="BECKMANN", fresnel_type="F82")
         _, native_scale = scales(m, sockets.gaussian, sockets.published, sockets.gaussian_c)
         part = HEADROOM * native_scale / (1.0 + 3.0 * sockets.published)

@@ -40,7 +40,7 @@ def cook_torrance_inputs(builder):
 
 def _slope(builder, j):
     m = builder.input(
-        f"Slope {j + 1}", (0.2, 0.4, 0.1, 0.6)[j], minimum=0.001, maximum=1.0, subtype="FACTOR",
+        f"Slope {j + 1}", (0.2, 0.4, 0.1, 0.6)[j], minimum=0.001, maximum=1.0, subtype="FACTOR", never_zero=True,
         description="Rms slope m of the facets: 0.1 is polished, 0.2 satin, 0.5 rough",
         panel=None if j == 0 else "More Slopes")
     w = builder.input(

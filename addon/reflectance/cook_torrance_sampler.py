@@ -12,12 +12,18 @@ Beckmann lobe that lies under f carries most of the light (:func:`native_lobe`),
 and lobes about drawn facets only what is left of f above it.  Those are narrow
 across the rings about N, over which D falls and G has its kinks, and wide along
 them, where neither changes much.
+
+Every node costs, so a difference y − c x with a constant c is written c' x + y,
+c' = −c, which is one node.
 """
 
 from types import SimpleNamespace
 
-from ..operands import absolute, clip, cos, dot, exp, less, maximum, minimum, sin, sqrt, term, where, widen
-from .directions import PI, frame_about
+from ..operands import (
+    absolute, clip, cos, dot, exp, inverse_sqrt, less, log, maximum, minimum, normalize, rotate, sin, sqrt, term,
+    where, widen,
+)
+from .directions import PI, tangent_of
 from .fresnel import COS_THETA_82, conductor, f82_tint_of, f82_unclamped
 from .masking import smith_lambda_of_slope
 from .sampling import narrowed, squared_tilt, towards_flanks
@@ -27,6 +33,9 @@ __all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "f
            "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
+SMALLEST_LEVEL = 1e-3
+"""Of V·H over N·H, so that G's derivatives stay finite; light so mirrored goes below the surface."""
+
 STEEPEST = 1.55
 """Largest tilt of a drawn facet in radians; steeper ones carry no light."""
 
@@ -79,11 +88,12 @@ def native_lobe(n_v, m):
     grazing = 1.12 * x + minimum(0.52, 0.65 - 0.073 / m)
     over = maximum(m - 0.35, 0.0)
     peak = (1.012 + minimum(0.12 * over, 0.03)) * (narrower * narrower)
-    middle = maximum(minimum(0.895, 0.85 + 0.22 * m) - (0.5 * over) * x, 0.19 * x + (0.47 - 0.3 * over))
+    middle = maximum((-0.5 * over) * x + minimum(0.895, 0.85 + 0.22 * m), 0.19 * x + (0.47 - 0.3 * over))
     share = maximum(minimum(grazing, peak, middle), 0.0)
-    lean_far = (0.084 + 0.21 * (m * m)) * (x - (0.19 + 0.058 / m))
-    lean_near = (0.028 + 0.22 * m) * (3.1 - x)
-    return share, m * clip(minimum(lean_far, lean_near), 0.0, 0.21 - 0.19 * m)
+    far, near = m * (0.084 + 0.21 * (m * m)), m * (0.028 + 0.22 * m)
+    lean_far = far * x + (-far) * (0.19 + 0.058 / m)
+    lean_near = (-near) * x + 3.1 * near
+    return share, clip(minimum(lean_far, lean_near), 0.0, m * (0.21 - 0.19 * m))
 
 
 @term("Roulette")
@@ -92,13 +102,14 @@ def kept(share):
 
     share  of :func:`native_lobe`
 
-    A drawn facet's weight is divided by it; the nodes of a facet that is not
-    drawn are not evaluated.
+    At least 1.08 − share, and up to 0.4 where more than that pays: what a
+    facet costs over what it takes from the noise.  A drawn facet's weight is
+    divided by it; the nodes of a facet that is not drawn are not evaluated.
 
-    >>> round(float(kept(0.75)), 6), round(float(kept(0.9)), 6), kept(0.0)
-    (0.33, 0.18, 1.0)
+    >>> [round(float(kept(share)), 6) for share in (0.0, 0.5, 0.75, 0.85, 0.9)]
+    [1.0, 0.58, 0.4, 0.4, 0.18]
     """
-    return minimum(1.08 - share, 1.0)
+    return minimum(maximum(minimum(-4.7 * share + 4.4, 0.4), 1.08 - share), 1.0)
 
 
 @term("F0, F82")
@@ -149,9 +160,10 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
     direction at right angles to n in which it is tilted, ``(..., 3)``; a_across
     and a_along, slopes of the lobe in its own frame; stretch, see
     :func:`addon.reflectance.sampling.narrowed`.  And at the mean of what the
-    lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; sine of the
-    tilt; v_across; D as root_peak²·exp(−steepness/m²)/m²; and density, D over the
-    drawn density's part that depends on the distribution and the side.
+    lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; the tilt's
+    tangent; v_across; level, V·H over N·H; D as exp(−steepness/m²)/(m·flat)²; and
+    density, D over the drawn density's part that depends on the distribution and
+    the side.
 
     >>> from .directions import direction
     >>> up = direction(0.0, 0.0)
@@ -166,29 +178,27 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
     drawn = sqrt(drawn2)
     along = maximum(a, minimum((2.5 * wide / m) * drawn, wide))
     # Along a tangent the tilt only grows, its square by half the lobe's; and D with it, but for a factor.
-    grown = along * along - a * a
+    grown = along * along + (-(a * a))
     weighed2 = (stretch * stretch) * drawn2 + 0.5 * grown
-    thinner = sqrt(1.0 - (1.0 / m2) * grown)
-    sine_drawn, cos_drawn, sine, n_h, density, root_peak, to_angle = (
+    thinner = sqrt((-1.0 / m2) * grown + 1.0)
+    tangent_drawn, cos_drawn, tangent, n_h, flat, density, to_angle = (
         where(gaussian, g, b) for g, b in zip(_gaussian(drawn, weighed2, m), _beckmann(drawn2, drawn, weighed2)))
 
-    t, b = frame_about(n)
-    phi = (2.0 * PI) * u_azimuth
-    across = widen(cos(phi)) * t + widen(sin(phi)) * b
+    across = rotate(tangent_of(n), n, (2.0 * PI) * u_azimuth)
     n_v, across_v = dot(n, v), dot(across, v)
-    # V·H is upright + aside on the one side of the groove, and upright - aside on the other; one of them may be hidden.
-    upright, aside = cos_drawn * n_v, sine_drawn * across_v
-    twice = 2.0 * upright
-    side = 1.0 - 2.0 * less(upright + aside, twice * u_side)
-    seen = maximum(minimum(twice / (side * aside + upright), 1.0), SMALLEST)
+    # V·H/cos α is n_v + aside on the one side of the groove, and n_v - aside on the other; one of them may be hidden.
+    aside = tangent_drawn * across_v
+    twice = 2.0 * n_v
+    side = 1.0 - 2.0 * less(n_v + aside, twice * u_side)
+    seen = minimum(twice / (side * aside + n_v), 1.0)
 
     v_across = side * across_v
-    v_h = maximum(n_h * n_v + sine * v_across, 0.0)
+    level = maximum(tangent * v_across + n_v, SMALLEST_LEVEL)
     return SimpleNamespace(
-        h=widen(cos_drawn) * n + widen(side * sine_drawn) * across, across=across,
+        h=normalize(n + widen(side * tangent_drawn) * across), across=across,
         a_across=a * (to_angle * to_angle), a_along=along * to_angle, stretch=stretch,
-        n_h=n_h, n_v=n_v, n_l=(2.0 * v_h) * n_h - n_v, v_h=v_h, sine=sine, v_across=v_across,
-        steepness=weighed2, root_peak=root_peak, density=density * cos_drawn * thinner / (seen * drawn_density))
+        n_h=n_h, n_v=n_v, n_l=(2.0 * level) * (n_h * n_h) - n_v, v_h=n_h * level, tangent=tangent, v_across=v_across,
+        level=level, steepness=weighed2, flat=flat, density=density * thinner / (seen * drawn_density))
 
 
 def _beckmann(drawn2, drawn, weighed2):
@@ -197,9 +207,8 @@ def _beckmann(drawn2, drawn, weighed2):
     In the plane of slopes dω = cos³ α d²slope, which D cos α leaves a 1/cos α
     of; an angle is cos² α of its slope across the rings, and cos α along them.
     """
-    cos_drawn, root_peak = 1.0 / sqrt(1.0 + drawn2), 1.0 + weighed2
-    to_slope = sqrt(root_peak)
-    return drawn * cos_drawn, cos_drawn, sqrt(weighed2) / to_slope, 1.0 / to_slope, to_slope, root_peak, cos_drawn
+    cos_drawn, n_h = inverse_sqrt(1.0 + drawn2), inverse_sqrt(1.0 + weighed2)
+    return drawn, cos_drawn, sqrt(weighed2), n_h, n_h * n_h, cos_drawn / n_h, cos_drawn
 
 
 def _gaussian(drawn, weighed2, m):
@@ -209,10 +218,10 @@ def _gaussian(drawn, weighed2, m):
     """
     alpha_drawn, weighed = minimum(drawn, STEEPEST), sqrt(weighed2)
     alpha = maximum(minimum(weighed, STEEPEST), 1e-4)
-    sine, n_h = sin(alpha), cos(alpha)
+    sine, n_h, cos_drawn = sin(alpha), cos(alpha), cos(alpha_drawn)
     c_m2 = gaussian_c(m) * (m * m)
-    return (sin(alpha_drawn), cos(alpha_drawn), sine, n_h, less(weighed, STEEPEST) * c_m2 * sine / alpha,
-            sqrt(c_m2), 1.0)
+    return (sin(alpha_drawn) / cos_drawn, cos_drawn, sine / n_h, n_h, inverse_sqrt(c_m2),
+            less(weighed, STEEPEST) * c_m2 * sine * cos_drawn / alpha, 1.0)
 
 
 @term("D native / D")
@@ -235,19 +244,21 @@ def native_over_d(x, m, lean):
     0.9637
     """
     # Cosines to N + lean V, which is 1/shorter times as long as N; and the squares of slopes about it, and 1.
-    shorter2 = (lean + 2.0 * x.n_v) * lean + 1.0
+    shorter2 = lean * (2.0 * x.n_v + lean) + 1.0
     y_h, y_v = lean * x.v_h + x.n_h, lean + x.n_v
-    y_l = maximum(((2.0 * x.v_h) * x.v_h - 1.0) * lean + x.n_l, SMALLEST)
+    y_l = maximum((2.0 * (x.v_h * x.v_h) - 1.0) * lean + x.n_l, SMALLEST)
     slope2_h, slope2_v, slope2_l = (shorter2 / (y * y) for y in (y_h, y_v, y_l))
     m2 = m * m
     m_native = native_slope(m)
     m2_native = m_native * m_native
     narrower = m2 / m2_native
-    masked, shadowed = (smith_lambda_of_slope(sqrt(m2_native * slope2 - m2_native)) for slope2 in (slope2_v, slope2_l))
+    masked, shadowed = (
+        smith_lambda_of_slope(sqrt(m2_native * slope2 + (-m2_native))) for slope2 in (slope2_v, slope2_l))
     sharper = 1.0 / (1.0 - minimum((narrower - 1.0) * (x.stretch - 1.0), 0.5))
-    ratio = exp((sharper / m2) * x.steepness - (sharper / m2_native) * (slope2_h - 1.0))
-    peaks = slope2_h / x.root_peak
-    return (sharper * narrower) * ratio * (peaks * peaks) * (x.n_v * sqrt(shorter2)) / (y_v * (masked + shadowed + 1.0))
+    steeper = sharper / m2_native
+    ratio = exp((-steeper) * slope2_h + ((sharper / m2) * x.steepness + (steeper + log(sharper * narrower))))
+    peaks = slope2_h * x.flat
+    return (peaks * peaks) * ratio * (x.n_v * sqrt(slope2_v)) / (masked + shadowed + 1.0)
 
 
 @term("G")
@@ -265,27 +276,28 @@ def sharpened_v_cavity(x):
     >>> round(float(sharpened_v_cavity(mirror)), 4), round(float(sharpened_v_cavity(lobe)), 4)
     (1.0, 1.0137)
     """
-    v_h = maximum(x.v_h, 1e-3)
-    steep = 2.0 * x.n_v / (v_h * v_h)
+    steep = (2.0 * x.n_v) / (x.v_h * x.v_h)
     shadowed = less(x.n_l, x.n_v)
-    across = x.a_across * (steep * x.v_across - shadowed * (8.0 * x.n_h * x.sine))
-    along = x.a_along * steep * x.n_h
-    v_along2 = maximum((1.0 - x.n_v * x.n_v) - x.v_across * x.v_across, 0.0)
-    reach = minimum(sqrt(1.69 * (across * across) + (along * along) * (1.014 * v_along2)), 1.0)
-    uncut = minimum(x.n_l, x.n_v) * (2.0 * x.n_h / v_h)
+    across = x.a_across * (-8.0 * (shadowed * ((x.n_h * x.n_h) * x.tangent)) + steep * x.v_across)
+    along = x.a_along * (steep * x.n_h)
+    v_along2 = (1.0 - x.n_v * x.n_v) - x.v_across * x.v_across
+    reach = minimum(sqrt(1.69 * (across * across) + (along * along) * v_along2), 1.0)
+    uncut = minimum(x.n_l, x.n_v) * (2.0 / x.level)
     near = maximum(reach - absolute(uncut - 1.0), 0.0)
-    return maximum(minimum(uncut, 1.0), 0.0) + 0.25 * (near * near) / maximum(reach, SMALLEST)
+    return near * (0.25 * (near / maximum(reach, SMALLEST))) + clip(uncut, 0.0, 1.0)
 
 
 @term("f cos/p")
-def facet_weight(x, scale, native, n, k, f0, b):
+def facet_weight(x, scale, native, n, k, f0, b, weight=1.0, probability=1.0):
     """Colour of the lobe about a drawn facet: F G less the native lobe, over the density, ``(..., 3)``.
 
-    x        from :func:`facet`
-    scale    of f, see :func:`scales`, times whatever else the lobe is weighed by
-    native   weight of the native lobe times :func:`native_over_d`, and the same else; 0 where there is none
-    n, k     complex refractive index, ``(..., 3)``
-    f0, b    F82 Fresnel term of the native lobe, as :func:`addon.reflectance.fresnel.f82_unclamped` has it
+    x            from :func:`facet`
+    scale        of f, see :func:`scales`
+    native       weight of the native lobe times :func:`native_over_d`; 0 where there is none
+    n, k         complex refractive index, ``(..., 3)``
+    f0, b        F82 Fresnel term of the native lobe, as :func:`addon.reflectance.fresnel.f82_unclamped` has it
+    weight       of both
+    probability  with which the facet is shown at all, see :func:`kept`
 
     With native 0 and a facet drawn with a = 0 it is f (N·L)/p(L).
 
@@ -296,5 +308,6 @@ def facet_weight(x, scale, native, n, k, f0, b):
     array([0.0409])
     """
     v_h = widen(x.v_h)
-    whole = conductor(v_h, n, k) * widen(x.density * scale * sharpened_v_cavity(x))
-    return maximum(whole - maximum(f82_unclamped(v_h, f0, b), 0.0) * widen(x.density * native), 0.0)
+    whole = conductor(v_h, n, k) * widen(scale * sharpened_v_cavity(x))
+    left = maximum(whole - maximum(f82_unclamped(v_h, f0, b), 0.0) * widen(native), 0.0)
+    return left * widen(weight * x.density / probability)

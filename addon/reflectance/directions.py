@@ -6,14 +6,17 @@ H = (V + L)/|V + L|.
 
 from types import SimpleNamespace
 
-from ..operands import absolute, cos, cross, dot, less, maximum, normalize, sin, term, vector, where, widen, x_of
+from ..operands import cos, cross, dot, maximum, normalize, sin, term, vector, widen
 
-__all__ = ["PI", "direction", "half_vector", "mirrored", "cosines", "facing", "frame_about", "in_frame"]
+__all__ = ["PI", "direction", "half_vector", "mirrored", "cosines", "facing", "tangent_of", "frame_about", "in_frame"]
 
 PI = 3.141592653589793
 
 LEAST_N_V = 0.01
 """Of :func:`facing`."""
+
+NOBODYS_NORMAL = (0.7531, 0.0, 0.6579)
+"""A direction along which no flat surface is likely to lie."""
 
 
 def direction(theta, phi):
@@ -70,17 +73,24 @@ def facing(n, v):
 
 
 @term("Frame")
-def frame_about(n):
-    """Two unit tangents that make a right-handed frame (t, b, N) with the normal.
+def tangent_of(n):
+    """A unit tangent of the surface with normal N, ``(..., 3)``; 0 at one odd normal.
 
-    The tangent is square to the axis, x or z, that N is farther from.
+    >>> tangent_of(direction(0.0, 0.0)).tolist()
+    [0.0, 1.0, 0.0]
+    """
+    return normalize(cross(n, NOBODYS_NORMAL))
+
+
+@term("Frame")
+def frame_about(n):
+    """Two unit tangents that make a right-handed frame (t, b, N) with the normal, t as :func:`tangent_of`.
 
     >>> t, b = frame_about(direction(0.0, 0.0))
     >>> (t.tolist(), b.tolist())
     ([0.0, 1.0, 0.0], [-1.0, 0.0, 0.0])
     """
-    axis = where(widen(less(absolute(x_of(n)), 0.7)), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
-    t = normalize(cross(n, axis))
+    t = tangent_of(n)
     return t, cross(n, t)
 
 

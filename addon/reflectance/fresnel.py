@@ -33,7 +33,8 @@ def conductor(cos_theta, n, k):
     With s² = 1 − c² and (u + iv)² = (n + ik)² − s², so that a = u² + v² = |(n + ik)² − s²|,
     2cu = √(2c²(a + Re((n + ik)² − s²))),
     Rs = (a − 2cu + c²)/(a + 2cu + c²),
-    Rp = Rs·(ac² − 2cus² + s⁴)/(ac² + 2cus² + s⁴), F = (Rs + Rp)/2.
+    Rp = Rs·(ac² − 2cus² + s⁴)/(ac² + 2cus² + s⁴),
+    F = (Rs + Rp)/2 = Rs·(ac² + s⁴)/(ac² + 2cus² + s⁴).
     Born and Wolf, Principles of Optics, 7th ed., section 14.4.1; the equation
     that Cook and Torrance 1982 mean where n and k are known, and Blender 5.0
     and later evaluate.
@@ -43,16 +44,14 @@ def conductor(cos_theta, n, k):
     >>> round(float(conductor(0.5, 0.2, 3.0)), 6)
     0.918411
     """
-    c2 = cos_theta * cos_theta
+    c2 = maximum(cos_theta * cos_theta, SMALLEST)
     s2 = 1.0 - c2
     nk = n * k
-    real = n * n - k * k - s2
+    real = (n * n - k * k - 1.0) + c2
     a = sqrt(real * real + 4.0 * nk * nk)
     s_even, s_odd = a + c2, sqrt(2.0 * c2 * (a + real))
     p_even, p_odd = a * c2 + s2 * s2, s_odd * s2
-    half_r_s = 0.5 * ((s_even - s_odd) / maximum(s_even + s_odd, SMALLEST))
-    r_p_over_r_s = (p_even - p_odd) / (p_even + p_odd)
-    return half_r_s * r_p_over_r_s + half_r_s
+    return (s_even - s_odd) / (s_even + s_odd) * (p_even / (p_even + p_odd))
 
 
 @term("F")
@@ -190,7 +189,8 @@ def f82_unclamped(cos_theta, f0, b):
     0.062188
     """
     q = 1.0 - cos_theta
-    q5 = power(q, 5.0)
+    q2 = q * q
+    q5 = q2 * q2 * q
     return f0 + (1.0 - f0) * q5 - b * (cos_theta * q * q5)
 
 

@@ -7,8 +7,8 @@ __all__ = ["v_cavity", "v_cavity_one_side", "smith_beckmann", "smith_lambda", "s
 SMALLEST = 1e-6
 """Keeps a denominator away from 0 at grazing incidence."""
 
-T_OF_NO_SHADOW = 1.0 / 1.6
-"""Below this m tan θ, Smith's Λ is taken as 0."""
+T_OF_NO_SHADOW = (1.259 + (1.259 ** 2 - 4.0 * 0.396) ** 0.5) / 2.0
+"""At this m tan θ, 0.646, the approximation of Smith's Λ is 0; it is taken as 0 below."""
 
 
 @term("G")
@@ -58,7 +58,7 @@ def smith_beckmann(n_v, n_l, m):
 def smith_lambda(cos_theta, m):
     """Smith's Λ for Beckmann's distribution: (t² − 1.259 t + 0.396)/(3.535 t + 2.181), t = m tan θ.
 
-    0 where t is 1/1.6 or less.  The rational approximation in a = 1/t of
+    0 where t is 0.646 or less.  The rational approximation in a = 1/t of
     B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces",
     EGSR 2007, as Heitz 2014 gives it below equation 69.
 
@@ -78,4 +78,4 @@ def smith_lambda_of_slope(t):
     0.203
     """
     t = maximum(t, T_OF_NO_SHADOW)
-    return maximum((t - 1.259) * t + 0.396, 0.0) / (3.535 * t + 2.181)
+    return ((t - 1.259) * t + 0.396) / (3.535 * t + 2.181)

@@ -1,6 +1,6 @@
 """What the Cook-Torrance realisations cost and how noisy they are: python -m tests.bench.bench_cook_torrance
 
-Ratios within one run on this machine, in processor time: a sample of each
+Ratios of medians within one run on this machine, in processor time: a sample of each
 realisation over one of Fast, Fast over Metallic BSDFs wired by hand, noise at
 equal time under an environment picture, and the noise of the default width
 over that of width 0 under a sun of 5°.
@@ -69,40 +69,59 @@ def by_hand(slopes):
     return material
 
 
-def measured(make_material, light, osl, repeats):
-    """Processor seconds of the quickest picture, and noise of one sample: rms deviation over the mean."""
+def rendered(make_material, light, osl, seeds):
+    """Pictures of a sphere, ``(seeds, height, width, channels)``, and the processor seconds of each."""
     scene = probes.empty_scene(RESOLUTION, samples=SAMPLES, osl=osl)
     probes.add_sphere(make_material())
     light(scene)
-    pictures, seconds = [probes.render(scene, 1)], []
-    for seed in range(2, 2 + repeats):
+    probes.render(scene, 0)
+    pictures, seconds = [], []
+    for seed in seeds:
         start = time.process_time()
         pictures.append(probes.render(scene, seed))
         seconds.append(time.process_time() - start)
-    inside = np.stack(pictures)[:, probes.pixel_normals(RESOLUTION)[1]]
-    return min(seconds), np.sqrt(np.mean(inside.var(axis=0, ddof=1)) * SAMPLES) / inside.mean()
+    return np.stack(pictures), seconds
 
 
-def table(slopes, light, repeats):
-    """{run: (seconds, noise)}."""
-    found = {"by hand": measured(lambda: by_hand(slopes), light, False, repeats)}
+def makers(slopes):
+    """{run: (makes the material, whether by OSL)}."""
+    found = {"by hand": (lambda: by_hand(slopes), False)}
     for name, (realisation, parameters) in RUNS.items():
         def material(realisation=realisation, parameters=parameters):
             return api.create_material(realisation=realisation, slopes=slopes, **parameters, **scenes.COPPER)
-        found[name] = measured(material, light, realisation.startswith("osl"), repeats)
+        found[name] = material, realisation.startswith("osl")
     return found
+
+
+def table(slopes, light, rounds):
+    """{run: (median of the processor seconds, noise of one sample: rms deviation over the mean)}.
+
+    Every round renders every run, so that a machine that slows down for a while slows all of them.
+    """
+    found = {name: [] for name in ["by hand", *RUNS]}
+    for j in range(rounds):
+        for name, (make_material, osl) in makers(slopes).items():
+            found[name].append(rendered(make_material, light, osl, range(3 * j + 1, 3 * j + 4)))
+    inside = probes.pixel_normals(RESOLUTION)[1]
+    return {name: (np.median([seconds for _, seconds in runs]),  # of all pictures of all rounds
+                   _noise(np.concatenate([pictures for pictures, _ in runs])[:, inside]))
+            for name, runs in found.items()}
+
+
+def _noise(pixels):
+    return np.sqrt(np.mean(pixels.var(axis=0, ddof=1)) * SAMPLES) / pixels.mean()
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--repeats", type=int, default=4)
+    parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--slopes", nargs="*", choices=SLOPES, default=list(SLOPES))
     arguments = parser.parse_args()
     print(f"Blender {bpy.app.version_string}, sphere of {RESOLUTION} pixels, {SAMPLES} samples, copper")
     print(f"{'slopes':10} {'light':12} {'run':22} {'time':>6} {'noise':>8} {'noise at equal time':>20} {'over width 0':>13}")
     for slopes in arguments.slopes:
         for light, add in LIGHTS.items():
-            found = table(SLOPES[slopes], add, arguments.repeats)
+            found = table(SLOPES[slopes], add, arguments.rounds)
             seconds, noise = found["fast"]
             for name, (s, n) in found.items():
                 mirrors = found[name.split(",")[0] + ", width 0"][1] if "default" in name else np.nan
