@@ -3,6 +3,7 @@
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
+from . import load_ahead
 from .bake_operator import why_locked
 from .drawing import draw_parameters, draw_sentence
 from .materials import model_of, our_node, realisation_of
@@ -49,6 +50,7 @@ class FACET_FILM_PT_material(MaterialPanel, bpy.types.Panel):
 
 def draw_apply(layout, settings):
     """The button that does what the panel says."""
+    load_ahead.when_idle()
     operator = layout.operator("facet_film.bake_preset", text="Apply", icon="SHADING_RENDERED")
     operator.preset = chosen_preset(settings)
     operator.model = settings.model

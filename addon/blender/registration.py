@@ -12,7 +12,7 @@ CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLAS
            *check_operator.CLASSES, *rebake_all_operator.CLASSES, *user_presets.CLASSES, *material_panel.CLASSES,
            *updates.CLASSES, *measurement_panel.CLASSES, *material_panel.LAST_CLASSES, *asset_library.CLASSES,
            *node_menu.CLASSES, *node_sidebar.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
-ATTACHED = (translations, settings, material_panel, node_menu, load_ahead)
+ATTACHED = (translations, settings, material_panel, node_menu)
 COMMAND = "facet_film"
 _commands = []
 
@@ -31,6 +31,7 @@ def unregister():
     bpy.utils.unregister_cli_command(_commands.pop())
     for module in reversed(ATTACHED):
         module.detach()
+    load_ahead.forget()
     picker.forget()
     thumbnails.clear()
     asset_library.detach()

@@ -60,8 +60,8 @@ def draw():
 
 def preset():
     """Presets put on the cube from the panel, one after the other; of the later ones the slowest."""
-    import_module(f"{MODULE}.addon.blender.load_ahead").load()  # as a window does, idle before the first click
     panels_drawn()()  # there is nothing to click before
+    import_module(f"{MODULE}.addon.blender.load_ahead").load()  # as a window does then, idle before the first click
     first, *later = (timed(lambda: bpy.ops.facet_film.bake_preset(preset=name)) for name in PRESETS)
     return {"first": first, "later": max(later)}
 

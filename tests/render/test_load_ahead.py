@@ -1,9 +1,10 @@
 """What a window loads while it is idle changes nothing, and nothing is loaded where there is no window."""
 
-import sys
+from types import SimpleNamespace
 
 import bpy
 
+from addon.bake import bake
 from addon.blender import load_ahead
 
 
@@ -11,20 +12,36 @@ def datablocks():
     return {name: len(getattr(bpy.data, name)) for name in ("materials", "node_groups", "images", "libraries", "texts")}
 
 
-def test_it_loads_the_baking_and_leaves_the_file_alone():
+def test_it_bakes_a_preset_and_leaves_the_file_alone(monkeypatch):
+    baked = []
+    monkeypatch.setattr("addon.bake.bake", lambda name: baked.append(name) or bake(name))
     before = datablocks()
     load_ahead.load()
-    assert "addon.bake.baking" in sys.modules
+    assert baked == ["copper"]
     assert datablocks() == before
 
 
 def test_nothing_waits_for_a_window_that_never_opens():
-    load_ahead.attach()
+    load_ahead.when_idle()
     assert not bpy.app.timers.is_registered(load_ahead.load)
-    load_ahead.detach()
+    load_ahead.forget()
 
 
 def test_disabling_before_the_window_was_idle_takes_it_back():
     bpy.app.timers.register(load_ahead.load, persistent=True)
-    load_ahead.detach()
+    load_ahead.forget()
     assert not bpy.app.timers.is_registered(load_ahead.load)
+
+
+def test_the_button_that_needs_it_asks_once(monkeypatch):
+    """In a window; here the timers are looked at in its stead."""
+    waiting = []
+    timers = SimpleNamespace(register=lambda function, persistent: waiting.append(function),
+                             is_registered=waiting.__contains__, unregister=waiting.remove)
+    app = SimpleNamespace(background=False, timers=timers)
+    monkeypatch.setattr(load_ahead, "bpy", SimpleNamespace(app=app))
+    load_ahead.when_idle()
+    load_ahead.when_idle()
+    assert waiting == [load_ahead.load]
+    load_ahead.forget()
+    assert waiting == []

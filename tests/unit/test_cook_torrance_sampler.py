@@ -103,6 +103,11 @@ def test_weights_are_bounded_wherever_the_normal_points(m, width):
     assert weight.max() < 4.0
 
 
+def test_facets_shown_for_some_samples_weigh_more():
+    x, _, weight = drawn(0.5, 0.3)
+    assert_allclose(sampler.facet_weight(x, 1.0, 0.0, *COPPER, 0.0, 0.0, 0.5, 0.2), 2.5 * weight)
+
+
 def test_drawn_facets_are_seen():
     x, _, _ = drawn(1.45, 0.6)
     assert (x.h @ direction(1.45, 0.0) >= -1e-12).all()
