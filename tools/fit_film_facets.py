@@ -1,4 +1,4 @@
-"""Fits the closed forms of addon/reflectance/film_facets.py: mean and spread of V·H over the facets that a viewer sees.
+"""Fits the closed forms of addon/reflectance/film_facets.py: mean and spread of V·H over the facets V sees.
 
     python tools/fit_film_facets.py
 
@@ -17,7 +17,8 @@ from addon.reflectance.masking import smith_beckmann  # noqa: E402
 
 SLOPES = np.array([0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6])
 N_V = np.cos(np.radians([0, 10, 20, 30, 40, 50, 55, 60, 65, 70, 75, 78, 80, 82, 84, 86, 88]))
-STARTS = {"mean": (0.68, -0.67, 0.98, -0.66, 0.58, 0.0, 0.16, 0.24, -0.55), "spread": (0.9, 0.37, 0.39, 0.16, 0.55, 0.21)}
+STARTS = {"mean": (0.68, -0.67, 0.98, -0.66, 0.58, 0.0, 0.16, 0.24, -0.55),
+          "spread": (0.9, 0.37, 0.39, 0.16, 0.55, 0.21)}
 
 
 def moments(n_v, m, count=600, turns=192):
@@ -42,7 +43,7 @@ def mean(p, n_v, m):
 
 
 def spread(p, n_v, m):
-    """:func:`addon.reflectance.film_facets.spread_v_h` with free constants; its 0.242 and 0.3226 are p0 p1 and p0 p2."""
+    """:func:`addon.reflectance.film_facets.spread_v_h` with free constants; 0.242 is p0 p1, 0.3226 is p0 p2."""
     across = np.sqrt(1.0 - n_v**2) * m * p[0] * (1.0 - (p[1] + p[2] * m) * np.exp(-n_v / m * p[3])) / (1.0 + p[4] * m)
     return np.hypot(across, p[5] * m**2 * n_v)
 

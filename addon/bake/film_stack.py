@@ -67,7 +67,7 @@ class Stack:
         k = float(self.outside_constants.at(CORE)[1].max())
         if k > LARGEST_K_OUTSIDE:
             raise FacetFilmError("{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; "
-                                 "name something clear, such as air or water.", word=word_of(self.outside), k=k)
+                                 "name something clear, such as air or water.", word=self.outside, k=k)
         for film in self.films:
             if not (np.isfinite(film.high) and 0.0 <= film.low <= film.high):
                 raise FacetFilmError("The thickness of {word!r} must be from 0 nm on, the lower end of a range first; "
@@ -105,10 +105,14 @@ class Stack:
         if not self.varying:
             return [film.low for film in self.films]
         if not (np.all(thickness >= low - 1e-9) and np.all(thickness <= high + 1e-9)):
-            raise FacetFilmError("The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.",
-                                 low=low, high=high, given=float(_farthest(thickness, low, high)))
+            raise FacetFilmError("The thickness must be from {low:g} to {high:g} nm, as the stack says; it is "
+                                 "{given:g}.", low=low, high=high, given=float(_farthest(thickness, low, high)))
         share = (thickness - low) / (high - low)
         return [film.low + share * (film.high - film.low) if film.varies else film.low for film in self.films]
+
+    def from_below(self):
+        """The same stack as light from below meets it, for what is seen through; FacetFilmError if that absorbs."""
+        return Stack(self.below, self.below_constants, self.films[::-1], self.outside, self.outside_constants)
 
     def at(self, thickness_nm):
         """The same stack with nothing that varies, at one thickness within its range."""
@@ -120,16 +124,11 @@ class Stack:
 CORE = np.arange(CORE_NM[0], CORE_NM[1] + 1.0)
 
 
-def word_of(word):
-    """A layer's word, or what stands for none."""
-    return word or "air"
-
-
 def _check_layer(word, constants):
-    low, high = max(constants.range_nm[0], CORE_NM[0]), min(constants.range_nm[1], CORE_NM[1])
-    if high - low < LEAST_MEASURED_NM:
-        raise FacetFilmError("{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; "
-                             "choose another dataset.", word=word, low=constants.range_nm[0], high=constants.range_nm[1])
+    low, high = constants.range_nm
+    if min(high, CORE_NM[1]) - max(low, CORE_NM[0]) < LEAST_MEASURED_NM:
+        raise FacetFilmError("{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 "
+                             "nm; choose another dataset.", word=word, low=low, high=high)
     if constants.normal_only:
         raise FacetFilmError("Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose "
                              "another dataset.", word=word)

@@ -9,17 +9,19 @@ import dataclasses
 
 import numpy as np
 
-from ..errors import FacetFilmError, number
+from ..errors import FacetFilmError, choice, number
 from . import film_colours
 from .baking import plain
 from .colour import delta_e_2000, lab
 from .film_gamut import FilmGamutReport, map_film_colours
 from .reflected import Viewing
 
-__all__ = ["FilmTable", "film_table", "curve_over_angle", "ROWS", "COLUMNS", "MOST_PIXELS"]
+__all__ = ["FilmTable", "film_table", "smallest_table", "curve_over_angle", "ROWS", "COLUMNS", "SIZES", "MOST_PIXELS"]
 
 ROWS, COLUMNS = 64, 512
+SIZES = ((16, 64), (32, 128), (32, 256), (64, 256), (64, 512), (64, 1024))
 MOST_PIXELS = 1 << 20
+LIGHTS = ("reflected", "transmitted")
 COMPARED_COLUMNS = 73
 """Thicknesses between columns at which a table is held against the exact spectrum, at an angle between any two rows."""
 
@@ -35,6 +37,7 @@ class FilmTable:
     delta_e_2000_max     largest CIEDE2000 of the table, bilinear, from the exact spectrum between its nodes, 0 to 89°
     delta_e_2000_mean    the mean
     gamut                FilmGamutReport
+    of                   "reflected" or "transmitted": which light
     """
 
     stack: object
@@ -45,6 +48,7 @@ class FilmTable:
     delta_e_2000_max: float
     delta_e_2000_mean: float
     gamut: FilmGamutReport
+    of: str = "reflected"
 
     @property
     def size(self):
@@ -61,14 +65,14 @@ class FilmTable:
         """Linear RGB as a renderer reads it, ``(..., 3)``: bilinear in √R over √cos θ and thickness, ends held."""
         rows, columns = self.size
         low, high = self.thickness_range_nm
-        share = (np.asarray(thickness_nm, float) - low) / (high - low) if high > low else np.zeros(np.shape(thickness_nm))
+        share = (np.asarray(thickness_nm, float) - low) / (high - low or 1.0)
         y, x = np.broadcast_arrays(np.sqrt(np.clip(cos_theta, 0.0, 1.0)) * (rows - 1), share * (columns - 1))
         return _bilinear(np.sqrt(self.rgb), y, np.clip(x, 0.0, columns - 1)) ** 2
 
     def to_dict(self):
         """What a record keeps of it, ready for JSON: everything but the table itself."""
         return plain({
-            "f0": self.f0, "table": {"thickness_range_nm": self.thickness_range_nm, "size": self.size,
+            "of": self.of, "f0": self.f0, "table": {"thickness_range_nm": self.thickness_range_nm, "size": self.size,
                                      "delta_e_2000_max": self.delta_e_2000_max,
                                      "delta_e_2000_mean": self.delta_e_2000_mean},
             "gamut": self.gamut, "illuminant": self.viewing.illuminant, "observer": self.viewing.observer,
@@ -78,23 +82,40 @@ class FilmTable:
                        for word, constants in self.stack.layers]})
 
 
-def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS):
+def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS, of="reflected"):
     """The FilmTable of a Stack.
 
     viewing        a Viewing; by default Viewing()
     rows, columns  its size, 8 or more each, at most 1,048,576 in all; a stack of
                    which nothing varies has one column
+    of             "reflected" or "transmitted", into what is below
 
-    Raises FacetFilmError for another size.
+    Raises FacetFilmError for another size or light.
     """
     viewing = viewing or Viewing()
+    choice("light", of, LIGHTS)
     rows, columns = _size(rows, columns if stack.varying else 1, bool(stack.varying))
     cos_theta = np.linspace(0.0, 1.0, rows) ** 2
-    raw = _colours(stack, viewing, cos_theta, columns)
+    raw = _colours(stack, viewing, cos_theta, columns, of)
     rgb, report = map_film_colours(raw, viewing)
-    error = _errors(stack, viewing, rgb)
+    error = _errors(stack, viewing, rgb, of)
     return FilmTable(stack, viewing, rgb.astype(np.float32), stack.thickness_range_nm, tuple(raw[-1, 0].tolist()),
-                     float(error.max()), float(error.mean()), report)
+                     float(error.max()), float(error.mean()), report, of)
+
+
+def smallest_table(stack, viewing=None, tolerance=0.5, of="reflected"):
+    """The FilmTable of the smallest of SIZES whose largest error is within a tolerance in CIEDE2000; else of the last.
+
+    >>> from .stack_notation import parse
+    >>> from ..spectra.optical_constants import load
+    >>> smallest_table(parse("Fe3O4 0-120 nm / Fe", load)).size
+    (32, 128)
+    """
+    for rows, columns in SIZES:
+        table = film_table(stack, viewing, rows=rows, columns=columns, of=of)
+        if table.delta_e_2000_max <= tolerance or not stack.varying and rows == ROWS:
+            break
+    return table
 
 
 def curve_over_angle(stack, viewing, thickness_nm, cos_theta):
@@ -110,14 +131,14 @@ def _size(rows, columns, varies):
     return rows, columns
 
 
-def _colours(stack, viewing, cos_theta, columns):
+def _colours(stack, viewing, cos_theta, columns, of):
     if not stack.varying:
-        thickness = stack.thickness_range_nm[0]
-        return film_colours.exact_colours(stack, viewing, cos_theta[:, None], np.array([thickness])).astype(np.float32)
-    return film_colours.stepped_colours(stack, viewing, cos_theta, columns)
+        thickness = np.array([stack.thickness_range_nm[0]])
+        return film_colours.exact_colours(stack, viewing, cos_theta[:, None], thickness, of).astype(np.float32)
+    return film_colours.stepped_colours(stack, viewing, cos_theta, columns, of)
 
 
-def _errors(stack, viewing, rgb):
+def _errors(stack, viewing, rgb, of):
     """CIEDE2000 between the mapped table and the mapped exact colours half-way between nodes, up to 89°."""
     rows, columns = rgb.shape[:2]
     y = np.arange(rows - 1) + 0.5
@@ -126,11 +147,11 @@ def _errors(stack, viewing, rgb):
     low, high = stack.thickness_range_nm
     if columns == 1:
         x = np.zeros(1)
-        exact = film_colours.exact_colours(stack, viewing, cos_theta[:, None], np.array([low]))
+        exact = film_colours.exact_colours(stack, viewing, cos_theta[:, None], np.array([low]), of)
     else:
         x = np.arange(0, columns - 1, max(1, (columns - 1) // COMPARED_COLUMNS)) + 0.5
         first, last = low + x[[0, -1]] / (columns - 1) * (high - low)
-        exact = film_colours.colours(stack, viewing, cos_theta, len(x), first, last)
+        exact = film_colours.colours(stack, viewing, cos_theta, len(x), first, last, of=of)
     exact = map_film_colours(exact, viewing)[0].astype(float)
     shown = _bilinear(np.sqrt(rgb.astype(float)), *np.meshgrid(y, x, indexing="ij")) ** 2
     return delta_e_2000(lab(exact, viewing.space), lab(shown, viewing.space))

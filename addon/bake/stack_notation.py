@@ -50,10 +50,10 @@ def parse(text, lookup):
     >>> stack = parse("water | SiO2 0-100 nm / 2.4+0.1i 20 nm / main/Ti/Palm", load)
     >>> stack.thickness_range_nm, len(stack.films), written(stack)
     ((0.0, 100.0), 2, 'water | SiO2 0-100 nm / 2.4+0.1i 20 nm / main/Ti/Palm')
-    >>> parse("MgF3 60 nm / glass", load)
+    >>> parse("SiO2 -60 nm / glass", load)
     Traceback (most recent call last):
     ...
-    addon.errors.FacetFilmError: At 'MgF3 60 nm': 'MgF3' is unknown; did you mean 'MgF2'? A layer is of a dataset, a preset's material or an index such as 1.38.
+    addon.errors.FacetFilmError: At 'SiO2 -60 nm': a thickness is from 0 nm on, the lower end of a range first.
     """
     if not isinstance(text, str) or not text.strip():
         raise FacetFilmError("A stack is a text such as 'SiO2 0-1000 nm / Si', from the outside in, not {value!r}.",
@@ -62,7 +62,8 @@ def parse(text, lookup):
     outside, bar, inside = text.rpartition("|")
     outside = outside.strip() or "air"
     if bar and "|" in outside:
-        raise FacetFilmError("At {place!r}: what is outside stands before one bar, and there are more.", place=text.strip())
+        raise FacetFilmError("At {place!r}: what is outside stands before one bar, and there are more.",
+                             place=text.strip())
     *films, below = _layers(inside)
     films = tuple(film for piece in films for film in _films(piece, find))
     if THICKNESS.match(below) or REPEAT.match(below):
@@ -116,8 +117,8 @@ def _films(piece, find):
 def _film(piece, find):
     found = THICKNESS.match(piece)
     if not found:
-        raise FacetFilmError("At {place!r}: a film is named with its thickness, such as 'SiO2 100 nm', or with a range, "
-                             "'SiO2 0-1000 nm'.", place=piece)
+        raise FacetFilmError("At {place!r}: a film is named with its thickness, such as 'SiO2 100 nm', or with a "
+                             "range, 'SiO2 0-1000 nm'.", place=piece)
     word, sign, first, last, unit = found.groups()
     low, high = (round(float(number) * UNITS[unit], 6) for number in (first, last or first))
     if sign or high < low:

@@ -108,7 +108,9 @@ def tilted_lobes(n, v, m, look):
     look  function of cos θ -> colour of the film
 
     >>> from addon.reflectance.directions import direction
-    >>> red, green, blue = tilted_lobes(direction(0.0, 0.0), direction(0.6, 0.0), 0.2, lambda c: widen(c) * (1.0, 0.0, 0.0))
+    >>> def red_face_on(c):
+    ...     return widen(c) * (1.0, 0.0, 0.0)
+    >>> red, green, blue = tilted_lobes(direction(0.0, 0.0), direction(0.6, 0.0), 0.2, red_face_on)
     >>> red[0].round(3).tolist(), red[1].round(3).tolist(), green[1].tolist()
     ([0.818, 0.0, 0.0], [0.014, 0.0, 1.0], [0.0, 0.0, 1.0])
     """

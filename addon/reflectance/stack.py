@@ -93,10 +93,10 @@ def powers(indices, thicknesses_nm, cos_theta, wavelength_nm):
 def check_layers(indices, thicknesses_nm):
     """Raise FacetFilmError unless these can be a stack: real ambient, n > 0, k ≥ 0, films of 0 nm or more.
 
-    >>> check_layers([1.0 + 0.01j, 1.5], [])
+    >>> check_layers([1.0, 1.4, 1.5], [-3.0])
     Traceback (most recent call last):
     ...
-    addon.errors.FacetFilmError: What is outside a stack must not absorb, and this has k up to 0.01; name something clear, such as air or water.
+    addon.errors.FacetFilmError: The thickness of a film must be at least 0 nm; that of layer 1 is -3.
     """
     if len(indices) != len(thicknesses_nm) + 2:
         raise FacetFilmError("A stack of {films} films has {indices} indices: outside, films and substrate; {given} "
@@ -112,8 +112,8 @@ def check_layers(indices, thicknesses_nm):
                                  place=place)
     for place, thickness in enumerate(thicknesses_nm, 1):
         if not (np.all(np.isfinite(thickness)) and np.min(thickness) >= 0.0):
-            raise FacetFilmError("The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.",
-                                 place=place, thickness=float(np.min(thickness)))
+            raise FacetFilmError("The thickness of a film must be at least 0 nm; that of layer {place} is "
+                                 "{thickness:g}.", place=place, thickness=float(np.min(thickness)))
 
 
 def optical_cosine(indices, cos_theta):

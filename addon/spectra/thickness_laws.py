@@ -124,9 +124,9 @@ HEAT_TINTS = {
         "2.5+0.3i {} nm / stainless", 7.73, 2934.0, 60.0, (20.0, 560.0),
         ((290.0, "pale yellow", 12.0), (340.0, "straw yellow", 18.0), (370.0, "dark yellow", 23.0),
          (390.0, "brown", 29.0), (420.0, "purple brown", 34.0), (450.0, "dark purple", 39.0), (540.0, "blue", 55.0)),
-        "British Stainless Steel Association, heat tint colours of 1.4301 (304) after an hour in air; no chromium oxide "
-        "is measured in the visible, so the film is 2.5 + 0.3i, and its thickness what has the hue that each names; their "
-        "dark blue at 600 °C comes back from where this law grows lighter and is beyond it"),
+        "British Stainless Steel Association, heat tint colours of 1.4301 (304) after an hour in air; no chromium "
+        "oxide is measured in the visible, so the film is 2.5 + 0.3i, and its thickness what has the hue that each "
+        "names; their dark blue at 600 °C comes back from where this law grows lighter and is beyond it"),
     "titanium": HeatTint(
         "TiO2 {} nm / Ti", 7.157, 2806.0, 30.0, (20.0, 550.0),
         ((300.0, "light yellow", 10.0), (400.0, "golden yellow", 18.0), (500.0, "blue", 36.0)),

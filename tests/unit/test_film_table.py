@@ -8,7 +8,7 @@ import pytest
 from addon.bake import film_colours
 from addon.bake.colour import delta_e_2000, lab, rgb_to_xyz
 from addon.bake.film_gamut import desaturate_smoothly, map_film_colours
-from addon.bake.film_table import curve_over_angle, film_table
+from addon.bake.film_table import curve_over_angle, film_table, smallest_table
 from addon.bake.gamut import map_colours
 from addon.bake.reflected import Viewing, mirror_spectra
 from addon.bake.stack_notation import parse
@@ -24,12 +24,13 @@ MIRROR = "water | 1.5+0.2i 5 nm / (TiO2 40-75 nm / SiO2 65-122 nm)x3 / MgF2 40 n
 @pytest.mark.parametrize("text", [
     "TiO2 0-500 nm / Ti", "soap 0-2000 nm / air", "SiO2 100 nm / main/TiO2/Siefke 0-500 nm / SiO2 80 nm / Si",
     "SiO2 100 nm / TiO2 20 nm / 2.0+3.0i 0-100 nm / glass", MIRROR])
+@pytest.mark.parametrize("of", ["reflected", "transmitted"])
 @pytest.mark.parametrize("count", [2, 33])
-def test_fast_colours_are_the_exact_ones(text, count):
+def test_fast_colours_are_the_exact_ones(text, count, of):
     stack = parse(text, load)
-    fast = film_colours.colours(stack, VIEWING, COS_THETA, count)
+    fast = film_colours.colours(stack, VIEWING, COS_THETA, count, of=of)
     thickness = np.linspace(*stack.thickness_range_nm, count)
-    exact = film_colours.exact_colours(stack, VIEWING, COS_THETA[:, None], thickness)
+    exact = film_colours.exact_colours(stack, VIEWING, COS_THETA[:, None], thickness, of)
     assert fast.shape == (5, count, 3) and np.allclose(fast, exact, atol=2e-5)
 
 
@@ -67,8 +68,8 @@ def test_a_coarse_step_with_fluorescent_light_keeps_its_lines():
 
 
 @pytest.mark.parametrize("text, most", [
-    ("TiO2 0-500 nm / Ti", 0.5), ("SiO2 0-1000 nm / Si", 0.5), ("Fe3O4 0-200 nm / Fe", 0.5), ("Nb2O5 0-300 nm / Nb", 0.5),
-    ("soap 5-1000 nm / air", 1.0)])
+    ("TiO2 0-500 nm / Ti", 0.5), ("SiO2 0-1000 nm / Si", 0.5), ("Fe3O4 0-200 nm / Fe", 0.5),
+    ("Nb2O5 0-300 nm / Nb", 0.5), ("soap 5-1000 nm / air", 1.0)])
 def test_the_error_between_the_nodes_is_small_and_what_random_places_show(text, most):
     stack = parse(text, load)
     table = film_table(stack)
@@ -86,11 +87,45 @@ def test_a_coarse_table_says_that_it_is_off():
     assert film_table(parse("TiO2 0-500 nm / Ti", load), rows=16, columns=64).delta_e_2000_max > 2.0
 
 
+def test_the_smallest_table_that_is_good_enough():
+    stack = parse("TiO2 0-120 nm / Ti", load)
+    small = smallest_table(stack)
+    assert small.delta_e_2000_max <= 0.5 and small.rgb.size < film_table(stack).rgb.size / 4
+    assert smallest_table(stack, tolerance=0.0).size == (64, 1024) and smallest_table(stack.at(50.0)).size[1] == 1
+
+
 def test_a_table_is_read_at_its_nodes_and_held_beyond_its_ends():
     table = film_table(parse("SiO2 100-300 nm / Si", load), rows=16, columns=64)
     assert np.allclose(table.at((5 / 15) ** 2, 100.0 + 200.0 * 40 / 63), table.rgb[5, 40], atol=1e-6)
-    assert np.allclose(table.at(1.0, [0.0, 100.0]), table.rgb[15, 0]) and np.allclose(table.at(1.0, 1e5), table.rgb[15, -1])
-    assert np.allclose(table.pixels()[..., :3] ** 2, table.rgb, atol=1e-6) and np.all(table.pixels()[..., 3] == 1.0)
+    assert np.allclose(table.at(1.0, [0.0, 100.0]), table.rgb[15, 0])
+    assert np.allclose(table.at(1.0, 1e5), table.rgb[15, -1])
+    pixels = table.pixels()
+    assert np.allclose(pixels[..., :3] ** 2, table.rgb, atol=1e-6) and np.all(pixels[..., 3] == 1.0)
+
+
+@pytest.mark.parametrize("text", ["soap 5-1000 nm / air", "MgF2 0-300 nm / glass",
+                                  "(TiO2 40-75 nm / SiO2 65-122 nm)x4 / glass"])
+def test_what_is_seen_through_loses_nothing(text):
+    """Before gamut mapping R + T is the light's white, from either side."""
+    for stack in (parse(text, load), parse(text, load).from_below()):
+        reflected, transmitted = (film_colours.colours(stack, VIEWING, COS_THETA, 40, of=of)
+                                  for of in ("reflected", "transmitted"))
+        assert np.allclose(reflected + transmitted, VIEWING.weights.sum(axis=0), atol=2e-4)
+        tables = [film_table(stack, rows=16, columns=32, of=of).rgb for of in ("reflected", "transmitted")]
+        assert np.allclose(sum(tables), 1.0, atol=1e-3)  # nor after it
+
+
+def test_gold_on_polycarbonate_lets_green_through_and_absorbs_some():
+    stack = parse("main/Au/Rosenblatt-21nm 5-50 nm / 1.585", load)
+    reflected, transmitted = (film_table(stack, of=of) for of in ("reflected", "transmitted"))
+    r, t = reflected.at(1.0, 25.0), transmitted.at(1.0, 25.0)
+    assert t[1] > t[0] and r[0] > r[2] and np.all(r + t < 0.98)
+    assert transmitted.delta_e_2000_max < 0.5 and transmitted.to_dict()["of"] == "transmitted"
+    assert np.all(np.diff(transmitted.rgb[-1, :, 1]) < 0.0)
+    with pytest.raises(FacetFilmError, match="did you mean 'transmitted'"):
+        film_table(stack, of="transmited")
+    with pytest.raises(FacetFilmError, match="must not absorb"):
+        parse("SiO2 10 nm / Ti", load).from_below()
 
 
 def test_where_nothing_varies_the_table_is_a_curve():
@@ -113,7 +148,8 @@ def test_the_record_is_ready_for_json_and_f0_is_before_mapping():
 
 def test_wide_spaces_hold_what_rec_709_does_not():
     stack = parse("TiO2 0-250 nm / Ti", load)
-    narrow, wide = (film_table(stack, Viewing(space=space), rows=16, columns=128).gamut for space in ("Rec.709", "ACEScg"))
+    narrow, wide = (film_table(stack, Viewing(space=space), rows=16, columns=128).gamut
+                    for space in ("Rec.709", "ACEScg"))
     assert narrow.outside > 0.03 and narrow.delta_e_2000_max > 1.0
     assert wide.outside < 0.01 and dict(wide.outside_elsewhere)["Rec.709"] == pytest.approx(narrow.outside, abs=0.01)
 
@@ -145,8 +181,9 @@ def test_other_ways_into_the_gamut_are_as_elsewhere(gamut):
     assert report.outside == 0.5
 
 
-@pytest.mark.parametrize("size, said", [({"rows": 4}, "rows must be a number from 8"), ({"columns": 7}, "columns must be"),
-                                        ({"rows": 4096, "columns": 512}, "at most 1048576 entries, not 4096 × 512")])
+@pytest.mark.parametrize("size, said", [
+    ({"rows": 4}, "rows must be a number from 8"), ({"columns": 7}, "columns must be"),
+    ({"rows": 4096, "columns": 512}, "at most 1048576 entries, not 4096 × 512")])
 def test_sizes_that_no_table_has(size, said):
     with pytest.raises(FacetFilmError, match=said):
         film_table(parse("SiO2 0-100 nm / Si", load), **size)

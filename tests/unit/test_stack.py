@@ -12,7 +12,7 @@ WAVELENGTH_NM = np.array([380.0, 480.0, 589.0, 780.0])[:, None]
 
 
 def random_stack(rng):
-    """(indices, thicknesses) of one to five films, some of them and of the substrates absorbing; some ambients dense."""
+    """(indices, thicknesses) of one to five films, some of them and of the substrates absorbing, some in glass."""
     films = rng.integers(1, 6)
     index = rng.uniform(1.2, 3.5, films) + 1j * rng.choice([0.0, 1.0], films) * 10.0 ** rng.uniform(-3.0, 0.6, films)
     substrate = rng.uniform(0.2, 4.0) + 1j * rng.choice([0.0, rng.uniform(0.0, 5.0)])

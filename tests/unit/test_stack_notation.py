@@ -31,8 +31,9 @@ def test_what_is_read(text, outside, films, below):
     assert [(film.constants.dataset, film.low, film.high) for film in stack.films] == films
 
 
-layers = st.builds("{} {}{} nm".format, st.sampled_from(["SiO2", "main/TiO2/Siefke", "1.38", "1.5+0.1i", "1.5+4200/λ²"]),
-                   st.integers(0, 300), st.sampled_from(["", "-400"]))
+WORDS = ["SiO2", "main/TiO2/Siefke", "1.38", "1.5+0.1i", "1.5+4200/λ²"]
+layers = st.builds("{} {}{} nm".format, st.sampled_from(WORDS), st.integers(0, 300),
+                   st.sampled_from(["", "-400"]))
 
 
 @given(st.lists(layers, max_size=8), st.integers(1, 4), st.sampled_from(["", "water | "]))
@@ -74,6 +75,13 @@ def test_repeats_are_written_in_brackets_with_what_is_around_them():
 def test_what_is_no_stack_is_refused_with_the_place(text, said):
     with pytest.raises(FacetFilmError, match=said):
         parse(text, load)
+
+
+def test_the_reason_is_said_in_the_same_language_as_the_place():
+    with pytest.raises(FacetFilmError) as error:
+        parse("SiO2 60 nm / main/Cu/Jonson", load)
+    said = error.value.said(lambda text: text.replace("At ", "Bei ").replace("is unknown", "ist unbekannt"))
+    assert said.startswith("Bei 'main/Cu/Jonson': dataset 'main/Cu/Jonson' ist unbekannt")
 
 
 def test_too_many_films_and_layers_without_data_are_refused():

@@ -27,6 +27,14 @@ TEXTS = {
         "预设，或数据库中的数据集",
     "A second Blender could not be started: {why}":
         "无法启动第二个 Blender：{why}",
+    "A stack has at most {most} films; this one has {count}.":
+        "层堆最多有 {most} 层薄膜；此层堆有 {count} 层。",
+    "A stack is a text such as 'SiO2 0-1000 nm / Si', from the outside in, not {value!r}.":
+        "层堆是形如 'SiO2 0-1000 nm / Si' 的文本，由外向内书写，而不是 {value!r}。",
+    "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
+        "{films} 层薄膜的层堆有 {indices} 个折射率：外部、各薄膜和基底；给出了 {given} 个。",
+    "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
+        "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
     "A verification is running":
         "验证正在运行",
     "Adapt White":
@@ -57,6 +65,22 @@ TEXTS = {
         "资产库",
     "At 0°":
         "0° 处",
+    "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
+        "在 {place!r} 处：括号不成对；重复的薄膜写作 '(TiO2 58 nm / SiO2 94 nm)x8'。",
+    "At {place!r}: a film is named with its thickness, such as 'SiO2 100 nm', or with a range, 'SiO2 0-1000 nm'.":
+        "在 {place!r} 处：薄膜须带厚度，如 'SiO2 100 nm'，或带范围，如 'SiO2 0-1000 nm'。",
+    "At {place!r}: a layer is missing between two slashes or at an end.":
+        "在 {place!r} 处：两个斜杠之间或一端缺少一层。",
+    "At {place!r}: a thickness is from 0 nm on, the lower end of a range first.":
+        "在 {place!r} 处：厚度不小于 0 nm，范围的下限写在前面。",
+    "At {place!r}: films repeat 1 to {most} times, not {times}.":
+        "在 {place!r} 处：薄膜可重复 1 到 {most} 次，而不是 {times} 次。",
+    "At {place!r}: the last layer is what is below all films and has no thickness; name it after another ' / '.":
+        "在 {place!r} 处：最后一层是所有薄膜之下的材料，没有厚度；请在另一个 ' / ' 之后写明。",
+    "At {place!r}: what is outside stands before one bar, and there are more.":
+        "在 {place!r} 处：外部材料写在一条竖线之前，此处有多条竖线。",
+    "At {place!r}: {why}":
+        "在 {place!r} 处：{why}",
     "Azimuth":
         "方位角",
     "Bake Spectral Preset":
@@ -215,6 +239,8 @@ TEXTS = {
         "大视场",
     "Layer Thickness":
         "层厚度",
+    "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
+        "层堆的第 {place} 层在每个波长处都需要 n 大于 0 且 k 不小于 0。",
     "Layered RGB Exact":
         "Layered RGB 精确",
     "Layered RGB Fast":
@@ -275,6 +301,8 @@ TEXTS = {
         "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
     "Observer":
         "观察者",
+    "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
+        "{word!r} 只有正入射反射率，而层堆需要 n 和 k；请选择另一个数据集。",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -391,6 +419,8 @@ TEXTS = {
         "在“系统”的“Cycles 渲染设备”中启用的设备",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
+    "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
+        "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
     "The library is in Preferences, File Paths already":
         "该库已在偏好设置的文件路径中",
     "The library is not in the preferences":
@@ -419,6 +449,12 @@ TEXTS = {
         "第二个 Blender 以状态 {:d} 结束：{:s}",
     "The shader {shader} does not compile: {why}":
         "着色器 {shader} 无法编译：{why}",
+    "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
+        "厚度须在层堆给定的 {low:g} 到 {high:g} nm 之间；现为 {given:g}。",
+    "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
+        "薄膜厚度不得小于 0 nm；第 {place} 层为 {thickness:g}。",
+    "The thickness of {word!r} must be from 0 nm on, the lower end of a range first; it is {low:g} to {high:g} nm.":
+        "{word!r} 的厚度不得小于 0 nm，且下限在前；现为 {low:g} 到 {high:g} nm。",
     "The verification was stopped; there is no report":
         "验证已停止；没有报告",
     "There is a preset called {:s} already":
@@ -467,6 +503,9 @@ TEXTS = {
         "权重 3",
     "Weight 4":
         "权重 4",
+    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, "
+    "such as air or water.":
+        "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
     "What to call it":
         "新的叫法",
     "What to compare":
@@ -649,4 +688,12 @@ TEXTS = {
         "未知{name} {value!r}；您是指 {near} 吗？有效值：{valid}。",
     "{preset} has no dataset of the database, so there is nothing to compare: its values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.":
         "{preset} 没有数据库中的数据集，因此无可比较：其数值为预设自有。请指定另一预设，或如 'main/Au/Babar' 的数据集。",
+    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; "
+    "choose another dataset.":
+        "{word!r} 的测量范围为 {low:g} 到 {high:g} nm，几乎不含可见光 400 到 700 nm；请选择另一个数据集。",
+    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something "
+    "clear, such as air or water.":
+        "{word!r} 位于层堆外部，不得有吸收，但其 k 高达 {k:.2g}；请选择透明材料，如 air 或 water。",
+    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such as 1.38.":
+        "未知的 {word!r}；您是指 {near} 吗？层可以是数据集、预设的材料，或如 1.38 的折射率。",
 }

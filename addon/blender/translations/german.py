@@ -27,6 +27,15 @@ TEXTS = {
         "Eine Voreinstellung oder ein Datensatz der Datenbank",
     "A second Blender could not be started: {why}":
         "Ein zweites Blender ließ sich nicht starten: {why}",
+    "A stack has at most {most} films; this one has {count}.":
+        "Ein Schichtstapel hat höchstens {most} Schichten; dieser hat {count}.",
+    "A stack is a text such as 'SiO2 0-1000 nm / Si', from the outside in, not {value!r}.":
+        "Ein Schichtstapel ist ein Text wie 'SiO2 0-1000 nm / Si', von außen nach innen, nicht {value!r}.",
+    "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
+        "Ein Stapel aus {films} Schichten hat {indices} Brechzahlen: außen, Schichten und Träger; "
+        "gegeben sind {given}.",
+    "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
+        "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
     "A verification is running":
         "Eine Prüfung läuft",
     "Adapt White":
@@ -57,6 +66,24 @@ TEXTS = {
         "Asset-Bibliothek",
     "At 0°":
         "Bei 0°",
+    "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
+        "Bei {place!r}: Einer Klammer fehlt die andere; Wiederholtes schreibt man '(TiO2 58 nm / SiO2 94 nm)x8'.",
+    "At {place!r}: a film is named with its thickness, such as 'SiO2 100 nm', or with a range, 'SiO2 0-1000 nm'.":
+        "Bei {place!r}: Eine Schicht steht mit ihrer Dicke, etwa 'SiO2 100 nm', oder mit einem Bereich, "
+        "'SiO2 0-1000 nm'.",
+    "At {place!r}: a layer is missing between two slashes or at an end.":
+        "Bei {place!r}: Zwischen zwei Schrägstrichen oder an einem Ende fehlt eine Schicht.",
+    "At {place!r}: a thickness is from 0 nm on, the lower end of a range first.":
+        "Bei {place!r}: Eine Dicke ist mindestens 0 nm, das untere Ende eines Bereichs steht zuerst.",
+    "At {place!r}: films repeat 1 to {most} times, not {times}.":
+        "Bei {place!r}: Schichten wiederholen sich 1- bis {most}-mal, nicht {times}-mal.",
+    "At {place!r}: the last layer is what is below all films and has no thickness; name it after another ' / '.":
+        "Bei {place!r}: Als Letztes steht, was unter allen Schichten liegt, ohne Dicke; es folgt nach "
+        "einem weiteren ' / '.",
+    "At {place!r}: what is outside stands before one bar, and there are more.":
+        "Bei {place!r}: Was außen ist, steht vor einem senkrechten Strich, und hier sind mehrere.",
+    "At {place!r}: {why}":
+        "Bei {place!r}: {why}",
     "Azimuth":
         "Azimut",
     "Bake Spectral Preset":
@@ -215,6 +242,8 @@ TEXTS = {
         "Große Sehfelder",
     "Layer Thickness":
         "Schichtdicke",
+    "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
+        "Lage {place} eines Stapels braucht bei jeder Wellenlänge n über 0 und k von mindestens 0.",
     "Layered RGB Exact":
         "Layered RGB exakt",
     "Layered RGB Fast":
@@ -275,6 +304,9 @@ TEXTS = {
         "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
     "Observer":
         "Beobachter",
+    "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
+        "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; "
+        "anderen Datensatz wählen.",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -391,6 +423,8 @@ TEXTS = {
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
+    "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
+        "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
     "The library is in Preferences, File Paths already":
         "Die Bibliothek steht schon unter Einstellungen, Dateipfade",
     "The library is not in the preferences":
@@ -419,6 +453,12 @@ TEXTS = {
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
+        "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
+    "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
+        "Die Dicke einer Schicht muss mindestens 0 nm sein; die von Lage {place} ist {thickness:g}.",
+    "The thickness of {word!r} must be from 0 nm on, the lower end of a range first; it is {low:g} to {high:g} nm.":
+        "Die Dicke von {word!r} muss mindestens 0 nm sein, das untere Ende zuerst; sie ist {low:g} bis {high:g} nm.",
     "The verification was stopped; there is no report":
         "Die Prüfung wurde abgebrochen; es gibt keinen Bericht",
     "There is a preset called {:s} already":
@@ -467,6 +507,10 @@ TEXTS = {
         "Gewicht 3",
     "Weight 4":
         "Gewicht 4",
+    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, "
+    "such as air or water.":
+        "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas "
+        "Klares nennen, etwa Luft oder Wasser.",
     "What to call it":
         "Wie sie heißen soll",
     "What to compare":
@@ -649,4 +693,15 @@ TEXTS = {
         "{name} {value!r} ist unbekannt; war {near} gemeint? Gültig: {valid}.",
     "{preset} has no dataset of the database, so there is nothing to compare: its values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.":
         "{preset} hat keinen Datensatz der Datenbank, es gibt also nichts zu vergleichen: Die Werte sind eigene der Voreinstellung. Bitte eine andere Voreinstellung nennen oder einen Datensatz wie 'main/Au/Babar'.",
+    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; "
+    "choose another dataset.":
+        "{word!r} ist von {low:g} bis {high:g} nm gemessen, also kaum im Sichtbaren, 400 bis 700 nm; "
+        "anderen Datensatz wählen.",
+    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something "
+    "clear, such as air or water.":
+        "{word!r} ist außerhalb des Stapels und darf nicht absorbieren, hat aber k bis {k:.2g}; etwas "
+        "Klares nennen, etwa air oder water.",
+    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such as 1.38.":
+        "{word!r} ist unbekannt; war {near} gemeint? Eine Schicht ist ein Datensatz, das Material einer "
+        "Voreinstellung oder eine Brechzahl wie 1.38.",
 }
