@@ -11,6 +11,7 @@ from addon.errors import FacetFilmError
 from addon.operands import widen
 from addon.reflectance.directions import direction
 from addon.reflectance.film_facets import ROUGHEST_FITTED, mean_v_h, spread_v_h, tilted_lobes, tilts, two_looks
+from addon.reflectance.masking import smith_beckmann
 from addon.spectra.optical_constants import load
 
 
@@ -124,6 +125,32 @@ def test_the_colour_at_n_v_is_what_standard_is_better_than(tables, monkeypatch):
     theirs = standard_errors(table, 0.2, 120.0)
     assert 1.9 < theirs.sphere_mean < 4.5 and theirs.furnace_mean > 0.5  # films.md: 1.9 to 3.8 and 1.4
     assert ours.sphere_mean < 0.4 * theirs.sphere_mean
+
+
+def test_the_sun_is_a_disc_of_five_degrees():
+    sun = film_errors._sun(np.radians(30.0))
+    centre = np.array([0.5, 0.0, np.sqrt(0.75)])
+    away = np.degrees(np.arccos(sun @ centre))
+    assert 2.3 < away.max() < 2.5 and np.allclose(np.linalg.norm(sun, axis=-1), 1.0)
+    assert np.sqrt((away**2).mean()) == pytest.approx(2.5 / np.sqrt(2.0), rel=0.02)  # of an even disc
+    assert np.allclose(sun.mean(axis=0), centre, atol=2e-3)
+
+
+@pytest.mark.parametrize("degrees, tilt", [(0.0, 0.0), (60.0, 0.0), (50.0, 0.1)])
+def test_the_furnace_is_the_lobe_over_all_lights(degrees, tilt):
+    """Sums over half vectors, against a plain sum over light directions above the surface."""
+    m, n = 0.4, np.array([0.0, 0.0, 1.0])
+    v = np.array([np.sin(np.radians(degrees)), 0.0, np.cos(np.radians(degrees))])
+    normal = np.array([np.sin(tilt), 0.0, np.cos(tilt)])
+    theta, phi = np.meshgrid((np.arange(400) + 0.5) / 400 * np.pi / 2, (np.arange(400) + 0.5) / 400 * 2.0 * np.pi)
+    light = direction(theta, phi)
+    h = light + v
+    h = h / np.linalg.norm(h, axis=-1, keepdims=True)
+    n_h, n_l, n_v = h @ normal, light @ normal, normal @ v
+    d = np.where(n_h > 0, np.exp((1.0 - 1.0 / np.maximum(n_h, 1e-3) ** 2) / m**2) / (np.pi * m**2 * n_h**4), 0.0)
+    lobe = np.where(n_l > 0, d * smith_beckmann(n_v, n_l, m) / (4.0 * n_v), 0.0)
+    plain = (lobe * np.sin(theta)).sum() * (np.pi / 2 / 400) * (2.0 * np.pi / 400)
+    assert film_errors._carried(normal, film_errors._facets(m, normal), v, m, n).mean() == pytest.approx(plain, abs=3e-3)
 
 
 def test_the_worst_of_several():

@@ -11,7 +11,7 @@ from addon.bake.film_gamut import desaturate_smoothly, map_film_colours
 from addon.bake.film_table import curve_over_angle, film_table, smallest_table
 from addon.bake.gamut import map_colours
 from addon.bake.reflected import Viewing, mirror_spectra
-from addon.bake.stack_notation import parse
+from addon.bake.stack_notation import parse, written
 from addon.errors import FacetFilmError
 from addon.spectra.observers import WAVELENGTH_NM
 from addon.spectra.optical_constants import load
@@ -23,7 +23,7 @@ MIRROR = "water | 1.5+0.2i 5 nm / (TiO2 40-75 nm / SiO2 65-122 nm)x3 / MgF2 40 n
 
 @pytest.mark.parametrize("text", [
     "TiO2 0-500 nm / Ti", "soap 0-2000 nm / air", "SiO2 100 nm / main/TiO2/Siefke 0-500 nm / SiO2 80 nm / Si",
-    "SiO2 100 nm / TiO2 20 nm / 2.0+3.0i 0-100 nm / glass", MIRROR])
+    "SiO2 100 nm / TiO2 20 nm / 2.0+3.0i 0-100 nm / glass", "TiO2 0-90 nm / MgF2 50 nm / TiO2 30-90 nm / Ti", MIRROR])
 @pytest.mark.parametrize("of", ["reflected", "transmitted"])
 @pytest.mark.parametrize("count", [2, 33])
 def test_fast_colours_are_the_exact_ones(text, count, of):
@@ -48,7 +48,7 @@ def test_a_bare_surface_has_the_colours_of_the_other_bake():
 
 
 @pytest.mark.parametrize("text, widest", [("TiO2 0-200 nm / Ti", 6), ("SiO2 0-1000 nm / Si", 6),
-                                          ("main/Si3N4/Philipp 0-5000 nm / Si", 1)])
+                                          ("SiO2 0-3000 nm / Si", 2), ("main/Si3N4/Philipp 0-5000 nm / Si", 1)])
 def test_the_wavelength_step_follows_the_optical_thickness(text, widest):
     stack = parse(text, load)
     step = film_colours.step_for(stack, VIEWING, np.linspace(0.1, 1.0, 30))
@@ -59,6 +59,16 @@ def test_the_wavelength_step_follows_the_optical_thickness(text, widest):
     if widest == 1:
         wide = film_colours.colours(stack, VIEWING, angles, 50, step=4).astype(float)
         assert delta_e_2000(lab(fine), lab(wide)).max() > 0.5
+
+
+def test_spectra_between_coarse_wavelengths_are_cubics():
+    weights = VIEWING.weights
+    for step, off in ((2, 3e-6), (4, 5e-5), (6, 3e-4)):
+        wavelength, coarse = film_colours.coarse_weights(weights, step)
+        wave, all_of_it = (np.cos(2e4 / at) for at in (wavelength, WAVELENGTH_NM))
+        assert np.allclose(wave @ coarse, all_of_it @ weights, atol=off)
+        cubic, all_of_it = (((at - 570.0) / 210.0) ** 3 for at in (wavelength, WAVELENGTH_NM))
+        assert np.allclose(cubic @ coarse, all_of_it @ weights, atol=1e-9)
 
 
 def test_a_coarse_step_with_fluorescent_light_keeps_its_lines():
@@ -195,6 +205,11 @@ def test_thicknesses_beyond_the_range_are_refused():
         with pytest.raises(FacetFilmError, match="must be from 50 to 100 nm"):
             stack.thicknesses(thickness)
     assert stack.at(75.0).films[0].high == 75.0 and not stack.at(75.0).varying
+
+
+def test_from_below_the_layers_come_in_reverse():
+    assert written(parse("MgF2 100 nm / TiO2 0-50 nm / glass", load).from_below()) == \
+        "glass | TiO2 0-50 nm / MgF2 100 nm / air"
 
 
 def test_films_that_vary_together_share_the_sum():
