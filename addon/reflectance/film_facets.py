@@ -20,8 +20,8 @@ __all__ = ["mean_v_h", "spread_v_h", "two_looks", "tilts", "tilted_lobes", "ROUG
 
 ROUGHEST_FITTED = 0.6
 """Above this slope mean and spread are those of this slope."""
-FADE, CAP = 2.0, 0.6
-"""Below N·V = FADE m the tilt fades, and it moves slopes by no more than CAP m."""
+FADE, CAP, BEND = 2.0, 0.6, 0.2
+"""Below N·V = FADE m the tilt fades, it moves slopes by no more than CAP m, and grows by a cube."""
 LEAST_SPREAD, LEAST_COLOUR, LEAST_SINE = 1e-4, 1e-3, 1e-3
 """Keep denominators away from 0: of an m of nearly 0, of black, and of a view along the normal."""
 
@@ -66,38 +66,45 @@ def spread_v_h(n_v, m):
 
 
 def two_looks(n_v, m, look):
-    """Mean colour of the lobe, and its slope over V·H, from two looks at the film; by name (mean, slope).
+    """Two looks at the film a spread above and below the mean of V·H, by name: mean, half, reach.
 
     look  function of cos θ -> colour ``(..., 3)``
 
+    mean  colour of the lobe
+    half  half the difference of the looks; over the reach it is the slope over V·H
+    reach half of what V·H differs by, ``(...)``
+
     >>> from addon.operands import widen
     >>> found = two_looks(0.5, 0.1, lambda c: widen(c) * (1.0, 0.5, 0.0))
-    >>> found.mean.round(3).tolist(), found.slope.round(3).tolist()
+    >>> found.mean.round(3).tolist(), (found.half / widen(found.reach)).round(3).tolist()
     ([0.504, 0.252, 0.0], [1.0, 0.5, 0.0])
     """
     middle, spread = mean_v_h(n_v, m), spread_v_h(n_v, m)
     up, down = clip(middle + spread, 0.0, 1.0), clip(middle - spread, 0.0, 1.0)
     high, low = look(up), look(down)
-    return SimpleNamespace(mean=0.5 * (high + low), slope=(high - low) * widen(1.0 / maximum(up - down, LEAST_SPREAD)))
+    reach = maximum(0.5 * (up - down), LEAST_SPREAD)
+    return SimpleNamespace(mean=0.5 * (high + low), half=0.5 * (high - low), reach=reach)
 
 
 @term("Tilt")
-def tilts(n_v, m, mean, slope):
+def tilts(n_v, m, mean, half, reach):
     """What V − (N·V) N is multiplied by to tilt each channel's lobe, ``(..., 3)``.
 
-    mean, slope  of :func:`two_looks`
+    mean, half, reach  of :func:`two_looks`
 
-    F′/F · m²/2, faded by N·V/2m towards grazing, where facets that lean away
-    from V are hidden and there is less to move, and held to 0.6 m/sin θ.  Both
-    as six films of the verification are closest with; the fade's square, tried
-    first, has p99 a quarter larger at m = 0.4.
+    g m²/2, faded by N·V/2m towards grazing, where facets that lean away from V
+    are hidden and there is less to move, and held to 0.6 m/sin θ.  With x =
+    half/mean, g = x(1 + x²/5)/reach lies between the line through both looks,
+    x/reach, and the exponential, artanh(x)/reach.  All three as six films of
+    the verification are closest with.
 
-    >>> tilts(0.8, 0.1, [0.5, 0.5, 0.0], [1.0, -1.0, 0.0]).round(4).tolist()
+    >>> tilts(0.8, 0.1, [0.5, 0.5, 0.0], [0.05, -0.05, 0.0], 0.05).round(4).tolist()
     [0.01, -0.01, 0.0]
     """
-    strength = 0.5 * m * minimum(m, n_v / FADE)
+    x = half / maximum(mean, LEAST_COLOUR)
+    strength = 0.5 * m * minimum(m, n_v / FADE) / reach
     most = widen(CAP * m / maximum(sqrt(1.0 - n_v * n_v), LEAST_SINE))
-    return clip(slope * widen(strength) / maximum(mean, LEAST_COLOUR), -1.0 * most, most)
+    return clip((x + BEND * (x * x * x)) * widen(strength), -1.0 * most, most)
 
 
 def tilted_lobes(n, v, m, look):
@@ -116,7 +123,7 @@ def tilted_lobes(n, v, m, look):
     """
     n_v = minimum(dot(n, v), 1.0)
     film = two_looks(n_v, m, look)
-    tilt = tilts(n_v, m, film.mean, film.slope)
+    tilt = tilts(n_v, m, film.mean, film.half, film.reach)
     towards = v - widen(n_v) * n
     r, g, b = (part(film.mean) for part in (x_of, y_of, z_of))
     colours = (vector(r, 0.0, 0.0), vector(0.0, g, 0.0), vector(0.0, 0.0, b))

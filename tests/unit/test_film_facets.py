@@ -65,7 +65,7 @@ def test_lobes_tilt_towards_the_viewer_where_the_film_is_brighter_face_on():
 def test_the_tilt_is_the_first_order_of_a_lobe_times_a_line():
     """A Beckmann lobe moved by g sin θ m²/2 in the plane of slopes is the lobe times exp(g V·H), but for a constant."""
     m, theta, g = 0.05, 0.7, 1.3
-    tilt = tilts(np.cos(theta), m, np.full(3, 0.5), np.full(3, 0.5 * g))[0]
+    tilt = tilts(np.cos(theta), m, np.full(3, 0.5), np.full(3, 0.5 * g * 0.01), 0.01)[0]
     x = np.linspace(-2.0 * m, 2.0 * m, 9)  # slopes along V
     moved = -((x - tilt * np.sin(theta)) ** 2) / m**2
     weighed = -(x**2) / m**2 + g * (np.cos(theta) + x * np.sin(theta))
@@ -73,10 +73,16 @@ def test_the_tilt_is_the_first_order_of_a_lobe_times_a_line():
 
 
 def test_the_tilt_is_held_and_fades():
-    steep = np.array([1.0, -1.0, 0.0]) * 100.0
-    assert np.allclose(tilts(0.6, 0.2, np.full(3, 0.1), steep) * 0.8, [0.12, -0.12, 0.0])
-    small = np.full(3, 1e-3)
-    assert np.allclose(tilts(0.1, 0.2, np.full(3, 0.1), small) / tilts(0.9, 0.2, np.full(3, 0.1), small), 0.25)
+    mean = np.full(3, 0.1)
+    steep = np.array([0.1, -0.1, 0.0])
+    assert np.allclose(tilts(0.6, 0.2, mean, steep, 1e-3) * 0.8, [0.12, -0.12, 0.0])
+    assert np.allclose(tilts(0.1, 0.2, mean, mean / 100, 0.1) / tilts(0.9, 0.2, mean, mean / 100, 0.1), 0.25)
+
+
+def test_the_tilt_is_between_that_of_a_line_and_that_of_an_exponential():
+    x = np.array([0.3, 0.6, 0.9])
+    tilt = tilts(0.9, 0.1, np.full(3, 0.5), 0.5 * x, 1.0) / (0.5 * 0.1**2)
+    assert np.all(x < tilt) and np.all(tilt < np.arctanh(x))
 
 
 def test_looks_never_leave_the_film():
@@ -93,10 +99,10 @@ def tables():
 
 
 @pytest.mark.parametrize("text, thickness, at_01, at_02", [
-    # Within what the issue asks, mean at most 0.7 and 1.5, but for soap at m = 0.2: 1.52.
+    # Within what is asked of them: a mean of at most 0.7 and 1.5.
     ("TiO2 0-500 nm / Ti", 60.0, 0.1, 0.3), ("TiO2 0-500 nm / Ti", 120.0, 0.25, 1.0),
     ("SiO2 0-1000 nm / Si", 300.0, 0.5, 1.5), ("Fe3O4 0-200 nm / Fe", 40.0, 0.2, 0.7),
-    ("soap 5-1000 nm / air", 400.0, 0.55, 1.55)])
+    ("soap 5-1000 nm / air", 400.0, 0.55, 1.5)])
 def test_standard_is_as_close_as_films_need(tables, text, thickness, at_01, at_02):
     smooth, rough = (standard_errors(tables[text], m, thickness) for m in (0.1, 0.2))
     assert 0.5 * at_01 < smooth.sphere_mean + 0.05 and smooth.sphere_mean <= at_01
