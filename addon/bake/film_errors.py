@@ -19,7 +19,7 @@ from ..reflectance.slopes import beckmann
 from .colour import delta_e_2000, lab
 from .film_table import curve_over_angle
 
-__all__ = ["RealisationErrors", "standard_errors", "reference_errors", "worst_of"]
+__all__ = ["RealisationErrors", "standard_errors", "reference_errors", "realisation_errors", "worst_of"]
 
 SUNS = (30.0, 75.0)
 SUN_DIAMETER = 5.0
@@ -29,7 +29,6 @@ LEAST_N_V = 0.1
 SAMPLING_WIDTH = 0.2
 """Of the Reference where none is given, as Cook-Torrance Exact's."""
 VIEW = np.array([0.0, 0.0, 1.0])
-NORMAL_QUADRATURE = np.array([-1.7320508, 0.0, 1.7320508]), np.array([1.0, 4.0, 1.0]) / 6.0
 
 
 class RealisationErrors(NamedTuple):
@@ -76,6 +75,17 @@ def reference_errors(table, m, thickness_nm, width=SAMPLING_WIDTH):
     def blurred(n, h, v):
         return _blurred(lambda c: table.at(c, thickness_nm), n, h, v, m, number("sampling width", width, 0.0, 1.0))
     return _errors(table, m, thickness_nm, blurred=blurred)
+
+
+def realisation_errors(table, m, count=5):
+    """{"standard": RealisationErrors, "reference": RealisationErrors} at a slope: the worst over even thicknesses.
+
+    count  thicknesses from end to end of the table's range; one where nothing varies
+    """
+    low, high = table.thickness_range_nm
+    thicknesses = np.linspace(low, high, count) if high > low else [low]
+    return {name: worst_of(errors(table, m, thickness) for thickness in thicknesses)
+            for name, errors in (("standard", standard_errors), ("reference", reference_errors))}
 
 
 def worst_of(errors):
@@ -164,14 +174,12 @@ def _blurred(look, n, h, v, m, width):
     tan_alpha = np.linalg.norm(flat, axis=-1)[..., None]
     outwards = np.where(tan_alpha > 1e-6, flat / np.maximum(tan_alpha, 1e-6), _any_tangent(n))
     along = np.cross(n, outwards)
-    nodes, weights = NORMAL_QUADRATURE
     spread = [np.sqrt(0.5 * a * a * m * m / (m * m - a * a)) for a in (narrow_slope(m, width), wide_slope(m, width))]
     total = 0.0
-    for x, w_x in zip(nodes, weights):
-        for y, w_y in zip(nodes, weights):
-            facet = n + flat + spread[0] * x * outwards + spread[1] * y * along
-            cosine = facet @ v / np.linalg.norm(facet, axis=-1)
-            total = total + w_x * w_y * look(np.clip(cosine, 0.0, 1.0))
+    for x, y in ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)):  # exact to the third order
+        facet = n + flat + spread[0] * x * outwards + spread[1] * y * along
+        cosine = facet @ v / np.linalg.norm(facet, axis=-1)
+        total = total + 0.25 * look(np.clip(cosine, 0.0, 1.0))
     return total
 
 

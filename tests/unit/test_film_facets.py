@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from addon.bake import film_errors
-from addon.bake.film_errors import RealisationErrors, reference_errors, standard_errors, worst_of
+from addon.bake.film_errors import (
+    RealisationErrors, realisation_errors, reference_errors, standard_errors, worst_of)
 from addon.bake.film_table import film_table
 from addon.bake.stack_notation import parse
 from addon.errors import FacetFilmError
@@ -131,6 +132,15 @@ def test_the_colour_at_n_v_is_what_standard_is_better_than(tables, monkeypatch):
     theirs = standard_errors(table, 0.2, 120.0)
     assert 1.9 < theirs.sphere_mean < 4.5 and theirs.furnace_mean > 0.5  # films.md: 1.9 to 3.8 and 1.4
     assert ours.sphere_mean < 0.4 * theirs.sphere_mean
+
+
+def test_a_record_has_the_worst_of_the_range(tables):
+    table = film_table(parse("TiO2 60-120 nm / Ti", load), rows=32, columns=64)
+    both = realisation_errors(table, 0.1, 2)
+    ends = [standard_errors(table, 0.1, thickness) for thickness in (60.0, 120.0)]
+    assert both["standard"] == worst_of(ends) and both["reference"].sphere_mean < both["standard"].sphere_mean
+    one = film_table(table.stack.at(60.0))
+    assert realisation_errors(one, 0.1)["standard"] == pytest.approx(standard_errors(one, 0.1, 60.0))
 
 
 def test_the_sun_is_a_disc_of_five_degrees():
