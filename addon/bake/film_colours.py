@@ -21,15 +21,24 @@ LEAST_COS_THETA = np.cos(np.radians(89.0))
 """Beyond 89° no colours are compared."""
 
 
-def stepped_colours(stack, viewing, cos_theta, count, of="reflected"):
-    """:func:`colours` with the wavelength steps that the stack needs, grazing angles and the others apart."""
+def stepped_colours(stack, viewing, cos_theta, count, of="reflected", progress=None):
+    """:func:`colours` with the wavelength steps that the stack needs, grazing angles and the others apart.
+
+    progress  function that is told the share that is done
+    """
     grazing = cos_theta < GRAZING
-    found = np.empty((len(cos_theta), count, 3), np.float32)
-    for band in (grazing, ~grazing):
-        if band.any():
-            step = step_for(stack, viewing, cos_theta[band], of)
-            found[band] = colours(stack, viewing, cos_theta[band], count, step=step, of=of)
+    found, done = np.empty((len(cos_theta), count, 3), np.float32), 0.0
+    for band in filter(np.any, (grazing, ~grazing)):
+        step, share = step_for(stack, viewing, cos_theta[band], of), float(band.mean())
+        found[band] = colours(stack, viewing, cos_theta[band], count, step=step, of=of,
+                              progress=_part_of(progress, done, share))
+        done += share
     return found
+
+
+def _part_of(progress, done, share):
+    """What tells progress of a part of the work, which is a share of it after what is done."""
+    return progress and (lambda part: progress(done + share * part))
 
 
 def step_for(stack, viewing, cos_theta, of="reflected"):
@@ -86,7 +95,8 @@ def exact_colours(stack, viewing, cos_theta, thickness_nm, of="reflected"):
     return np.moveaxis(np.tensordot(viewing.weights, getattr(powers, of), axes=(0, 0)), 0, -1)
 
 
-def colours(stack, viewing, cos_theta, count, low=None, high=None, step=1, of="reflected"):
+def colours(stack, viewing, cos_theta, count, low=None, high=None, step=1, of="reflected",
+            progress=None):
     """Linear RGB before gamut mapping, ``(A, D, 3)`` in single precision.
 
     stack      a Stack with a film that varies
@@ -95,6 +105,7 @@ def colours(stack, viewing, cos_theta, count, low=None, high=None, step=1, of="r
     count      D even thicknesses from low to high, the ends of the stack's range where not given
     step       of the wavelength in nm
     of         "reflected" or "transmitted"
+    progress   function that is told the share that is done
     """
     low, high = (end if given is None else given for given, end in zip((low, high), stack.thickness_range_nm))
     wavelength, weights = coarse_weights(viewing.weights, step)
@@ -105,4 +116,6 @@ def colours(stack, viewing, cos_theta, count, low=None, high=None, step=1, of="r
         powers = recurrence.block(of).reshape(wavelength.size, -1)
         block = (weights @ powers).reshape(3, len(cos_theta), BLOCK)
         found[:, :, start:start + BLOCK] = block[:, :, :count - start]
+        if progress:
+            progress(min(1.0, (start + BLOCK) / count))
     return np.moveaxis(found, 0, -1)

@@ -15,6 +15,7 @@ from .baking import plain
 from .colour import delta_e_2000, lab
 from .film_gamut import FilmGamutReport, map_film_colours
 from .reflected import Viewing
+from .stack_notation import written
 
 __all__ = ["FilmTable", "film_table", "smallest_table", "curve_over_angle", "ROWS", "COLUMNS", "SIZES", "MOST_PIXELS"]
 
@@ -72,7 +73,7 @@ class FilmTable:
     def to_dict(self):
         """What a record keeps of it, ready for JSON: everything but the table itself."""
         return plain({
-            "of": self.of, "f0": self.f0, "table": {"thickness_range_nm": self.thickness_range_nm, "size": self.size,
+            "stack": written(self.stack), "k_left_out_outside": self.stack.k_left_out, "of": self.of, "f0": self.f0, "table": {"thickness_range_nm": self.thickness_range_nm, "size": self.size,
                                      "delta_e_2000_max": self.delta_e_2000_max,
                                      "delta_e_2000_mean": self.delta_e_2000_mean},
             "gamut": self.gamut, "illuminant": self.viewing.illuminant, "observer": self.viewing.observer,
@@ -82,13 +83,14 @@ class FilmTable:
                        for word, constants in self.stack.layers]})
 
 
-def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS, of="reflected"):
+def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS, of="reflected", progress=None):
     """The FilmTable of a Stack.
 
     viewing        a Viewing; by default Viewing()
     rows, columns  its size, 8 or more each, at most 1,048,576 in all; a stack of
                    which nothing varies has one column
     of             "reflected" or "transmitted", into what is below
+    progress       function that is told the share of the table that is done, for stacks that take seconds
 
     Raises FacetFilmError for another size or light.
     """
@@ -96,7 +98,7 @@ def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS, of="reflected
     choice("light", of, LIGHTS)
     rows, columns = _size(rows, columns if stack.varying else 1, bool(stack.varying))
     cos_theta = np.linspace(0.0, 1.0, rows) ** 2
-    raw = _colours(stack, viewing, cos_theta, columns, of)
+    raw = _colours(stack, viewing, cos_theta, columns, of, progress)
     rgb, report = map_film_colours(raw, viewing)
     error = _errors(stack, viewing, rgb, of)
     return FilmTable(stack, viewing, rgb.astype(np.float32), stack.thickness_range_nm, tuple(raw[-1, 0].tolist()),
@@ -131,11 +133,11 @@ def _size(rows, columns, varies):
     return rows, columns
 
 
-def _colours(stack, viewing, cos_theta, columns, of):
+def _colours(stack, viewing, cos_theta, columns, of, progress):
     if not stack.varying:
         thickness = np.array([stack.thickness_range_nm[0]])
         return film_colours.exact_colours(stack, viewing, cos_theta[:, None], thickness, of).astype(np.float32)
-    return film_colours.stepped_colours(stack, viewing, cos_theta, columns, of)
+    return film_colours.stepped_colours(stack, viewing, cos_theta, columns, of, progress)
 
 
 def _errors(stack, viewing, rgb, of):

@@ -153,7 +153,19 @@ def test_the_record_is_ready_for_json_and_f0_is_before_mapping():
     assert record["f0"] == pytest.approx([-0.023, 0.103, 0.370], abs=1e-3)  # Rec.709 does not hold it
     assert table.rgb[-1, 0].min() >= 0.0 and record["gamut"]["outside"] > 0.02
     assert dict(map(tuple, record["gamut"]["outside_elsewhere"]))["Rec.2020"] == 0.0
+    assert record["stack"] == "TiO2 40-60 nm / Ti" and record["k_left_out_outside"] == 0.0
     assert [layer["dataset"] for layer in record["layers"]] == ["1", "main/TiO2/Jolivet-anatase", "main/Ti/Palm"]
+
+
+def test_water_outside_says_what_k_was_left_out():
+    left_out = film_table(parse("water | MgF2 50-100 nm / glass", load), rows=16, columns=16).to_dict()
+    assert 0.0 < left_out["k_left_out_outside"] < 1e-6
+
+
+def test_progress_goes_from_0_to_1():
+    told = []
+    film_table(parse("SiO2 0-100 nm / Si", load), rows=16, columns=100, progress=told.append)
+    assert told == sorted(told) and told[0] > 0.0 and told[-1] == pytest.approx(1.0) and len(told) > 10
 
 
 def test_wide_spaces_hold_what_rec_709_does_not():

@@ -417,6 +417,9 @@ TEXTS = {
         "论文中的图",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
+    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to "
+    "{most:.0f}; make them thinner, or what is thick the layer below.":
+        "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":

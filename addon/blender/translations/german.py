@@ -421,6 +421,10 @@ TEXTS = {
         "Abbildungen der Veröffentlichung",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
+    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to "
+    "{most:.0f}; make them thinner, or what is thick the layer below.":
+        "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis "
+        "{most:.0f} gerechnet; dünner machen, oder das Dicke als unterste Lage nehmen.",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
