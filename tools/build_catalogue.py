@@ -14,8 +14,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from addon.bake import bake  # noqa: E402
-from addon.models.making import made  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
+from addon.models.making import made  # noqa: E402
 from addon.spectra import tables  # noqa: E402
 
 FILE = ROOT / "docs" / "materials.md"

@@ -11,9 +11,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
-from addon.spectra import names, tables  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
 from addon.catalogue.search import index_line  # noqa: E402
+from addon.spectra import names, tables  # noqa: E402
 
 SHELVES = ("main", "other", "organic", "glass", "3d", "popular_glass", "specs")
 

@@ -10,7 +10,7 @@ from ..catalogue.resolving import require_measured
 from ..errors import choice
 from ..reflectance import fresnel
 from ..spectra import illuminants, observers, optical_constants
-from .colour import SPACES, rgb_to_xyz, spectral_weights
+from .colour import SPACES, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
 __all__ = [

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from addon.bake import bake
-from addon.errors import FacetFilmError
 from addon.catalogue import presets
+from addon.errors import FacetFilmError
 from addon.models.making import made
 from addon.spectra import optical_constants, tables
 

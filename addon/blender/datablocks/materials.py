@@ -5,8 +5,17 @@ import bpy
 from ...errors import FacetFilmError
 from ...models.record import Record, baked_in, from_json
 from ..compat import enable_nodes
-from .groups import (EEVEE_OUTPUT, VERSION_KEY, edited, group_id, input_names, model_of_group, node_group,
-                     output_named, socket_named)
+from .groups import (
+    EEVEE_OUTPUT,
+    VERSION_KEY,
+    edited,
+    group_id,
+    input_names,
+    model_of_group,
+    node_group,
+    output_named,
+    socket_named,
+)
 
 __all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "model_of", "our_node", "parameters_of",
            "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
@@ -55,12 +64,12 @@ def write(material: bpy.types.Material, record: Record) -> None:
 
 def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -> None:
     """Make one of our group nodes what the record says: its group, its values, and the nodes that feed it."""
-    model = model_of_group(record.group)
+    model, there = model_of_group(record.group), _feeding(node)
     if not (group_id(node.node_tree) == record.group and edited(node.node_tree)):
         _set_group(tree, node, node_group(record.group))
     for name, value in model.written(record.parameters, record.realisation).items():
         socket_named(node, name).default_value = value
-    _write_feeds(tree, node, model, model.feeds(record.parameters))
+    _write_feeds(tree, node, there, model.feeds(record.parameters))
 
 
 def _show_in_viewport(material, record):
@@ -74,9 +83,8 @@ def _show_in_viewport(material, record):
     material.roughness = float(seen.slope) ** 0.5
 
 
-def _write_feeds(tree, node, model, feeds):
-    """Have just these groups of the model feed the node; what else is plugged in stays."""
-    there = _feeding(node, model)
+def _write_feeds(tree, node, there, feeds):
+    """Have just these groups of ours feed the node, in place of those that did; what else is plugged in stays."""
     for identifier, feed in there.items():
         if identifier not in {wanted.group for wanted in feeds}:
             tree.nodes.remove(feed)
@@ -103,14 +111,13 @@ def _link_feed(tree, node, feed, links):
         tree.links.new(output_named(feed, output), socket_named(node, name))
 
 
-def _feeding(node, model):
-    """{group's id: node} of the model's groups that feed the node."""
-    own = {group.identifier for group in model.groups}
+def _feeding(node):
+    """{group's id: node} of the groups of ours that feed the node and are no material themselves."""
     found = {}
     for link in [link for socket in node.inputs for link in socket.links]:
-        identifier = group_id(getattr(link.from_node, "node_tree", None))
-        if identifier in own:
-            found[identifier] = link.from_node
+        tree = getattr(link.from_node, "node_tree", None)
+        if model_of_group(group_id(tree)) is not None and found_in(tree) is None:
+            found[group_id(tree)] = link.from_node
     return found
 
 
@@ -135,7 +142,7 @@ def record_of_node(node: bpy.types.Node) -> Record:
     model, realisation = found_in(node.node_tree)
     feeds = {name: (_values(feed), {link.from_socket.name for link in node.id_data.links
                                     if link.from_node == feed and link.to_node == node})
-             for name, feed in _feeding(node, model).items()}
+             for name, feed in _feeding(node).items()}
     return Record(model.name, realisation, identifier, node.node_tree.get(VERSION_KEY, 0),
                   model.read(_values(node), feeds))
 
