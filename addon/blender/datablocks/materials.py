@@ -148,11 +148,11 @@ def record_of_node(node: bpy.types.Node) -> Record:
 
 
 def _values(node):
-    """{socket: value} of a group node; of colours without alpha."""
+    """{socket: value} of a group node."""
     found = {}
     for name in input_names(node.node_tree):
         value = socket_named(node, name).default_value
-        found[name] = tuple(value)[:3] if hasattr(value, "__len__") else value
+        found[name] = tuple(value) if hasattr(value, "__len__") else value
     return found
 
 
