@@ -29,7 +29,7 @@ def build(folder):
              "source": "presets.json, names.json, refractiveindex.table",
              "version": tables.about("refractiveindex")["version"], "licence": "CC0-1.0", "tool": "tools/build_search.py"}
     found, words = map(list, zip(*materials))
-    tables.pack(folder / "search.table", about, {"found": found, "words": words, "presets": len(presets.all_presets())})
+    tables.pack(folder / "search.table", about, {"found": found, "words": words, "presets": {"names": presets.names()}})
     return len(materials)
 
 

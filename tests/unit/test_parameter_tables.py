@@ -7,7 +7,7 @@ import pytest
 
 from addon import models
 from addon.errors import FacetFilmError
-from addon.models.model import REALISATIONS
+from addon.models.realisations import REALISATIONS
 from addon.models.parameters import read, written
 from tools import build_parameters
 

@@ -1,9 +1,12 @@
 """Our materials, whatever the model: a group node with its sockets set, wired to the output, and the record kept."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import bpy
 
 from ...errors import FacetFilmError
-from ...models.record import Record, baked_in, from_json
 from ..compat import enable_nodes
 from .groups import (
     EEVEE_OUTPUT,
@@ -16,6 +19,9 @@ from .groups import (
     output_named,
     socket_named,
 )
+
+if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits for what is imported here
+    from ...models.record import Record
 
 __all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "model_of", "our_node", "parameters_of",
            "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
@@ -65,11 +71,16 @@ def write(material: bpy.types.Material, record: Record) -> None:
 def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -> None:
     """Make one of our group nodes what the record says: its group, its values, and the nodes that feed it."""
     model, there = model_of_group(record.group), _feeding(node)
-    if not (group_id(node.node_tree) == record.group and edited(node.node_tree)):
+    if not _keeps(node.node_tree, model.group(record.group)):
         _set_group(tree, node, node_group(record.group))
     for name, value in model.written(record.parameters, record.realisation).items():
         socket_named(node, name).default_value = value
     _write_feeds(tree, node, there, model.feeds(record.parameters))
+
+
+def _keeps(tree, group):
+    """Whether a node that has this tree needs no other for a group: it is the current one, or someone edited it."""
+    return group_id(tree) == group.identifier and (tree.get(VERSION_KEY) == group.version or edited(tree))
 
 
 def _show_in_viewport(material, record):
@@ -133,11 +144,13 @@ def record_of(material: bpy.types.Material) -> Record:
     if node is None:
         raise FacetFilmError("{material} is not a material of Facet & Film: make one with create_material() "
                              "or Bake Spectral Preset.", material=material.name)
+    from ...models.record import from_json
     return from_json(material.get(RECORD_KEY, ""), record_of_node(node))
 
 
 def record_of_node(node: bpy.types.Node) -> Record:
     """What one of our group nodes holds: parameters, and how they are rendered."""
+    from ...models.record import Record
     identifier = group_id(node.node_tree)
     model, realisation = found_in(node.node_tree)
     feeds = {name: (_values(feed), {link.from_socket.name for link in node.id_data.links
@@ -163,6 +176,9 @@ def parameters_of(material):
 
 def baked_of(material):
     """What was baked into a material, ready for JSON; {} for others."""
+    if RECORD_KEY not in material:
+        return {}
+    from ...models.record import baked_in
     return baked_in(material.get(RECORD_KEY, ""))
 
 

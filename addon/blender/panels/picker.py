@@ -3,7 +3,7 @@
 import functools
 import re
 
-from ...catalogue.presets import KINDS
+from ...catalogue.kinds import KINDS
 from ..assets.thumbnails import preset_icon
 
 __all__ = ["KIND_ITEMS", "draw_card", "forget", "lines", "name_in", "search", "thumbnail_items"]
