@@ -110,7 +110,7 @@ def reflected_cases():
 
 
 def transmitted_cases():
-    view, n0, n1 = surfaces(tilt=0.5)
+    view, n0, n1 = surfaces(tilt=1.5)
     r1, _d, _wavelength, _e0, e1, published = layers()
     return [-lights(view, n0), single(refracted(-view, n0, r1)), n0, n1, r1, single(model.f_eq8(r1)), e1, published]
 
@@ -273,7 +273,7 @@ PLANE = ("n0_v", "mirror_side", "cos_w", "sin_w", "cos_o", "r1", "f", "out", "pa
 
 def layer_cases():
     """Viewer, boundaries and one channel's layer; D close to n0 would leave their plane open."""
-    return [*surfaces(lowest=0.3, highest=0.85, tilt=0.1), *layers()[:5]]
+    return [*surfaces(lowest=0.2, highest=0.5, tilt=0.2), *layers()[:5]]
 
 
 def plane_of(view, n0, n1, r1, d, wavelength, e0, e1):
@@ -325,8 +325,9 @@ def r_peak_cases():
 
 
 def tilted_cases():
-    frame = [np.broadcast_to(axis, (COUNT, 3)) for axis in np.eye(3)]
-    return [frame[2], frame[0], frame[1], *spread(COUNT, (0.0, 0.5), (0.0, 6.2))]
+    n0 = surfaces()[1]
+    tangent = single(tangent_in_the_scripts(n0))
+    return [n0, tangent, single(np.cross(n0, tangent)), *spread(COUNT, (0.0, 0.5), (0.0, 6.2))]
 
 
 FORMULAS = {
