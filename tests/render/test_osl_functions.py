@@ -7,7 +7,7 @@ the other does not shows here, function by function, where pictures would bury i
 import numpy as np
 import pytest
 
-from addon.nodes.osl_groups import SOURCES
+from addon import models
 from tests import osl_probe
 from tests.render import osl_cook_torrance, osl_layered_rgb
 from tests.render.osl_grids import joined
@@ -19,7 +19,7 @@ TOLERANCE = 1e-5
 
 
 def source_of(script):
-    return (SOURCES / script.SCRIPT).read_text(encoding="utf-8")
+    return (models.named(script.SCRIPT.removesuffix(".osl")).folder / script.SCRIPT).read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
