@@ -9,7 +9,7 @@ from ..spectra.optical_constants import OpticalConstants, load
 from . import presets
 from .presets import Preset
 
-__all__ = ["Resolved", "require_measured", "resolve", "resolve_widely"]
+__all__ = ["Resolved", "layer", "require_measured", "resolve", "resolve_widely"]
 
 
 class Resolved(NamedTuple):
@@ -32,7 +32,7 @@ def resolve(what):
     """The Resolved of whatever names a material.
 
     what  a preset's name, alias or title, a dataset's id "shelf/book/page", the path of a file, a table of several
-          lines as text, OpticalConstants, or a Resolved
+          lines as text, a stack of layers such as "SiO2 0-1000 nm / Si", OpticalConstants, or a Resolved
 
     A preset's name is that preset, whatever file lies in the folder.  Raises FacetFilmError, with what comes nearest.
 
@@ -47,9 +47,12 @@ def resolve(what):
         return Resolved(_unnamed(what), what)
     if not isinstance(what, str):
         raise FacetFilmError("A material is a preset's name or a dataset's id, not {value!r}.", value=what)
+    from ..bake.stack_notation import is_stack
     from ..spectra import readers
     if "\n" in what:
         return resolve(readers.read_text(what))
+    if is_stack(what):
+        return _of_stack(what)
     if what.lower().endswith(readers.SUFFIXES):
         return resolve(readers.read_file(what))
     try:
@@ -105,6 +108,20 @@ def _named(word):
         raise FacetFilmError("preset {preset!r} is unknown; what fits these words: {found}.",
                              preset=word, found=some) from None
     return Resolved(preset, presets.constants(preset))
+
+
+def _of_stack(text):
+    """What the models have that is made of a stack of layers in words, checked; see addon.bake.stack_notation."""
+    from .. import models
+    from ..bake.stack_notation import parse, written
+    text = written(parse(text, layer))
+    model = next(model for model in models.all_models() if model.made_of == "stack")
+    return Resolved(Preset(text, text, "iridescent", model.name, parameters={model.made_of: text}), None)
+
+
+def layer(word):
+    """The OpticalConstants of a layer of a stack: a dataset, a file or a measured preset; FacetFilmError for others."""
+    return require_measured(word).constants
 
 
 def _unnamed(constants):

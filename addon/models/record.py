@@ -9,7 +9,7 @@ from typing import Any
 from . import named
 from .parameters import Checked
 
-__all__ = ["FORMAT", "Record", "Source", "baked_in", "from_dict", "from_json"]
+__all__ = ["FORMAT", "Record", "Source", "baked_in", "is_measured", "from_dict", "from_json"]
 
 FORMAT = 2
 """Of the JSON; 1 is what 0.1.0 kept, a bare bake without parameters."""
@@ -67,8 +67,8 @@ class Record:
 
     @property
     def measured(self) -> bool:
-        """Whether a measurement was baked into it."""
-        return "conductor" in self.baked
+        """Whether a spectrum was baked into it."""
+        return is_measured(self.baked)
 
     def changed(self, **fields: Any) -> "Record":
         """The same with other fields."""
@@ -84,6 +84,11 @@ class Record:
     def to_json(self) -> str:
         """The same as JSON text."""
         return json.dumps(self.to_dict(), ensure_ascii=False)
+
+
+def is_measured(baked: Mapping[str, Any]) -> bool:
+    """Whether a spectrum was baked: then what was baked names the light."""
+    return "illuminant" in baked
 
 
 def from_json(text: str, current: Record) -> Record:

@@ -17,6 +17,7 @@ SETTINGS = {
     "ShaderNodeScript": ("mode",), "ShaderNodeTexNoise": ("noise_dimensions", "noise_type", "normalize"),
     "ShaderNodeBump": ("invert",), "ShaderNodeMixShader": (), "ShaderNodeAddShader": (), "ShaderNodeBsdfDiffuse": (),
     "ShaderNodeSeparateXYZ": (), "ShaderNodeCombineXYZ": (), "ShaderNodeNewGeometry": (), "ShaderNodeTexCoord": (),
+    "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
 }
 """Settings of nodes that decide what they compute, by type of node; a test says which a group of ours lacks here."""

@@ -21,6 +21,8 @@ TEXTS = {
         "材质须为预设名称或数据集标识，而不是 {value!r}。",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "理想反射体在任何光下都呈中性，如同已适应该光的眼睛",
+    "A preset and {name} both say what the material is made of: give one of them.":
+        "预设和 {name} 都说明了材质的组成：请只给出其中一个。",
     "A preset is called by its name, such as 'copper', not {value!r}.":
         "预设以名称指定，例如 'copper'，而不是 {value!r}。",
     "A preset, or a dataset of the database":
@@ -125,6 +127,8 @@ TEXTS = {
         "预设的镜面颜色随角度变化，可用于任意着色器",
     "Colour over angle: cos_theta, r, g, b":
         "颜色随角度变化：cos_theta, r, g, b",
+    "Columns":
+        "列",
     "Compare Measurements":
         "比较测量值",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
@@ -161,6 +165,8 @@ TEXTS = {
         "漫射颜色",
     "Does this Blender render the published formulas? Find out on this machine:":
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
+    "Drained":
+        "排液",
     "Edge Tint":
         "边缘色调",
     "Every parameter":
@@ -197,6 +203,18 @@ TEXTS = {
         "要写入的文件",
     "File's Working Space":
         "文件的工作空间",
+    "Film Anodising":
+        "薄膜阳极氧化",
+    "Film Exact":
+        "薄膜 精确",
+    "Film Fast":
+        "薄膜 快速",
+    "Film Heat Tint":
+        "薄膜热着色",
+    "Film Thickness":
+        "薄膜厚度",
+    "First Thickness":
+        "起始厚度",
     "Fit":
         "拟合",
     "Form":
@@ -213,6 +231,8 @@ TEXTS = {
         "为已保存的预设改名",
     "Glasses":
         "玻璃",
+    "Gradient":
+        "渐变",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
         "以原生闭包实现的 Granier 与 Heidrich 分层 RGB 模型，也可用于 EEVEE",
     "Greatest Thickness":
@@ -223,18 +243,24 @@ TEXTS = {
         "公式如何成为 Cycles 材质",
     "Illuminant":
         "光源",
+    "Image Rows":
+        "图像行数",
     "Import Measurement":
         "导入测量数据",
     "In the Asset Browser as Facet & Film":
         "在资产浏览器中名为 Facet & Film",
     "Inside, unchanged":
         "在色域内，未改变",
+    "Iridescent":
+        "虹彩",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
     "Kind":
         "类别",
     "Large fields of view":
         "大视场",
+    "Last Thickness":
+        "末端厚度",
     "Layer Thickness":
         "层厚度",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
@@ -359,6 +385,10 @@ TEXTS = {
         "以另一种实现方式渲染此材质；所有数值与连线保留",
     "Renders by {:s}":
         "渲染方式：{:s}",
+    "Roughness":
+        "糙度",
+    "Rows":
+        "行",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "需在第二个 Blender 中运行，而作为 Python 模块的 Blender 没有：请运行 python -m addon verify",
     "Sampling Width":
@@ -371,6 +401,8 @@ TEXTS = {
         "缩放",
     "Scene-linear space that the colours are written in":
         "写入颜色所用的场景线性空间",
+    "See-through":
+        "透视",
     "Select a group node of Facet & Film first":
         "请先选择 Facet & Film 组节点",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
@@ -395,6 +427,10 @@ TEXTS = {
         "小视场；显示器据此校准",
     "Specular":
         "镜面",
+    "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
+        "按每个微面的角度计算的薄膜堆叠，仅用节点采样，适用于所有设备",
+    "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
+        "以原生闭包实现的薄膜堆叠，每个通道一个波瓣：按光源采样，适用于所有设备",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
     "Sulphides":
@@ -405,6 +441,8 @@ TEXTS = {
         "将该库从资产浏览器移除；已拖入的内容保留",
     "Tangent":
         "切线",
+    "Temperature":
+        "温度",
     "Texture":
         "纹理",
     "Texture Share":
@@ -414,6 +452,20 @@ TEXTS = {
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to "
+    "Thickness in nanometres of the oxide that a voltage grows on a metal":
+        "电压在金属上生成的氧化物的厚度（纳米）",
+    "Thickness in nanometres of the oxide that heat grows on a metal":
+        "加热在金属上生成的氧化物的厚度（纳米）",
+    "Thickness in nanometres that varies by noise, a gradient or a texture":
+        "随噪波、渐变或纹理变化的厚度（纳米）",
+    "Time":
+        "时间",
+    "Voltage":
+        "电压",
+    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
+        "stack 必须是由外向内的各层，例如 'SiO2 0-1000 nm / Si'，而不是 {value!r}。",
+    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
+        "thickness_range 必须是以 nm 为单位的（最小，最大），而不是 ({least:g}, {greatest:g})。",
     "{most:.0f}; make them thinner, or what is thick the layer below.":
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
     "The folder of {file!r} does not exist; make it first, or name another.":
@@ -687,6 +739,8 @@ TEXTS = {
         "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
+    "{name} must be a text, not {value!r}.":
+        "{name} 必须是文本，而不是 {value!r}。",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "未知{name} {value!r}；有效值：{valid}。",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":

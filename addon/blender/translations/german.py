@@ -21,6 +21,8 @@ TEXTS = {
         "Ein Material ist der Name einer Voreinstellung oder die Kennung eines Datensatzes, nicht {value!r}.",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "Ein vollkommener Reflektor ist in jedem Licht neutral, wie für ein daran gewöhntes Auge",
+    "A preset and {name} both say what the material is made of: give one of them.":
+        "Eine Voreinstellung und {name} sagen beide, woraus das Material ist: nur eines davon angeben.",
     "A preset is called by its name, such as 'copper', not {value!r}.":
         "Eine Voreinstellung heißt nach ihrem Namen, etwa 'copper', nicht {value!r}.",
     "A preset, or a dataset of the database":
@@ -128,6 +130,8 @@ TEXTS = {
         "Spiegelfarbe einer Voreinstellung über dem Winkel, für jeden Shader",
     "Colour over angle: cos_theta, r, g, b":
         "Farbe über dem Winkel: cos_theta, r, g, b",
+    "Columns":
+        "Spalten",
     "Compare Measurements":
         "Messungen vergleichen",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
@@ -164,6 +168,8 @@ TEXTS = {
         "Diffuse Farbe",
     "Does this Blender render the published formulas? Find out on this machine:":
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
+    "Drained":
+        "Abgelaufen",
     "Edge Tint":
         "Randtönung",
     "Every parameter":
@@ -200,6 +206,18 @@ TEXTS = {
         "Zu schreibende Datei",
     "File's Working Space":
         "Arbeitsfarbraum der Datei",
+    "Film Anodising":
+        "Film Anodisieren",
+    "Film Exact":
+        "Film Exakt",
+    "Film Fast":
+        "Film Schnell",
+    "Film Heat Tint":
+        "Film Anlauffarbe",
+    "Film Thickness":
+        "Filmdicke",
+    "First Thickness":
+        "Erste Dicke",
     "Fit":
         "Anpassung",
     "Form":
@@ -216,6 +234,8 @@ TEXTS = {
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
     "Glasses":
         "Gläser",
+    "Gradient":
+        "Verlauf",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
         "Das geschichtete RGB-Modell von Granier und Heidrich mit eingebauten Shadern, auch in EEVEE",
     "Greatest Thickness":
@@ -226,18 +246,24 @@ TEXTS = {
         "Wie die Formel zu einem Cycles-Material wird",
     "Illuminant":
         "Lichtart",
+    "Image Rows":
+        "Bildzeilen",
     "Import Measurement":
         "Messung importieren",
     "In the Asset Browser as Facet & Film":
         "Im Asset-Browser als Facet & Film",
     "Inside, unchanged":
         "Innerhalb, unverändert",
+    "Iridescent":
+        "Schillernd",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
     "Kind":
         "Art",
     "Large fields of view":
         "Große Sehfelder",
+    "Last Thickness":
+        "Letzte Dicke",
     "Layer Thickness":
         "Schichtdicke",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
@@ -363,6 +389,10 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Roughness":
+        "Rauheit",
+    "Rows":
+        "Zeilen",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "Läuft in einem zweiten Blender, das Blender als Python-Modul fehlt: python -m addon verify aufrufen",
     "Sampling Width":
@@ -375,6 +405,8 @@ TEXTS = {
         "Skalieren",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
+    "See-through":
+        "Durchsichtig",
     "Select a group node of Facet & Film first":
         "Erst einen Gruppen-Node von Facet & Film auswählen",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
@@ -399,6 +431,10 @@ TEXTS = {
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Specular":
         "Glanz",
+    "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
+        "Schichtstapel im Winkel jeder Facette, allein mit Nodes abgetastet, auf jedem Gerät",
+    "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
+        "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
     "Sulphides":
@@ -409,6 +445,8 @@ TEXTS = {
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
         "Tangente",
+    "Temperature":
+        "Temperatur",
     "Texture":
         "Textur",
     "Texture Share":
@@ -418,6 +456,20 @@ TEXTS = {
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to "
+    "Thickness in nanometres of the oxide that a voltage grows on a metal":
+        "Dicke des Oxids in Nanometern, das eine Spannung auf einem Metall wachsen lässt",
+    "Thickness in nanometres of the oxide that heat grows on a metal":
+        "Dicke des Oxids in Nanometern, das Hitze auf einem Metall wachsen lässt",
+    "Thickness in nanometres that varies by noise, a gradient or a texture":
+        "Dicke in Nanometern, die durch Rauschen, einen Verlauf oder eine Textur wechselt",
+    "Time":
+        "Zeit",
+    "Voltage":
+        "Spannung",
+    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
+        "stack muss Schichten von außen nach innen nennen, etwa 'SiO2 0-1000 nm / Si', nicht {value!r}.",
+    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
+        "thickness_range muss (kleinste, größte) Dicke in nm sein, nicht ({least:g}, {greatest:g}).",
     "{most:.0f}; make them thinner, or what is thick the layer below.":
         "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis "
         "{most:.0f} gerechnet; dünner machen, oder das Dicke als unterste Lage nehmen.",
@@ -693,6 +745,8 @@ TEXTS = {
         "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
+    "{name} must be a text, not {value!r}.":
+        "{name} muss ein Text sein, nicht {value!r}.",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "{name} {value!r} ist unbekannt; gültig: {valid}.",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
