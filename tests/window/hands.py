@@ -177,9 +177,9 @@ def redo(at):
 
 
 def record():
-    """What our material on the cube says of itself."""
+    """What was baked into the cube's material."""
     material = bpy.data.objects["Cube"].active_material
-    return json.loads(material.get("facet_film", "{}")) if material else {}
+    return json.loads(material.get("facet_film", "{}")).get("baked", {}) if material else {}
 
 
 def preset():
