@@ -70,7 +70,8 @@ def resolve_widely(what):
         return resolve(what)
     except FacetFilmError:
         from .search import search
-        found = [entry for entry in search(what, 20) if entry.dataset] if isinstance(what, str) and what.count("/") < 2 else ()
+        worded = isinstance(what, str) and what.count("/") < 2
+        found = [entry for entry in search(what, 20) if entry.dataset] if worded else ()
         if not found:
             raise
         return resolve(found[0].dataset)

@@ -9,10 +9,13 @@ from . import DEFAULT, named, names
 from .model import Renderer
 from .record import Record, Source
 
+ANY_RENDERER = Renderer()
+"""The exact formula and Rec.709: what Blender 5 has by default."""
+
 __all__ = ["exported", "made", "rebaked", "renewed", "switched"]
 
 
-def made(model: str | None = None, preset: Any = None, realisation: str = "fast", renderer: Renderer = Renderer(),
+def made(model: str | None = None, preset: Any = None, realisation: str = "fast", renderer: Renderer = ANY_RENDERER,
          viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
     """The Record of a preset or measurement, with some parameters of one's own.
 
@@ -44,7 +47,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
     return _with_group(record, chosen, baked.variant)
 
 
-def switched(record: Record, realisation: str, renderer: Renderer = Renderer()) -> Record:
+def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER) -> Record:
     """The Record by another realisation; everything that the user set stays.
 
     Where what was baked is still as it was, it is baked again for what the
@@ -61,7 +64,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = Renderer()) 
     return _with_group(record.changed(realisation=realisation), model, variant)
 
 
-def rebaked(record: Record, renderer: Renderer = Renderer(), viewing: Mapping[str, Any] | None = None, *,
+def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[str, Any] | None = None, *,
             only: tuple[str, ...] = ()) -> Record:
     """The Record whose measurement is baked again; what the bake does not give stays as the user set it.
 
@@ -81,8 +84,9 @@ def rebaked(record: Record, renderer: Renderer = Renderer(), viewing: Mapping[st
     return _with_group(found, model, baked.variant)
 
 
-def renewed(record: Record, renderer: Renderer = Renderer()) -> Record:
-    """A Record from elsewhere for this renderer: groups of this version, and baked again where its numbers are for another.
+def renewed(record: Record, renderer: Renderer = ANY_RENDERER) -> Record:
+    """A Record from elsewhere for this renderer: groups of this version, and baked again where its numbers are for
+    another.
 
     What the user set stays; n and k that are still as baked follow the renderer's formula.
     """

@@ -90,7 +90,8 @@ def search_command(options):
 def check_command(options):
     """How far given numbers or a material are from a measured one."""
     from ..bake import check
-    found = check(options.against, preset=options.material, **_given(options, *VIEWING, "formula", "n", "k", "f0", "tint"))
+    given = _given(options, *VIEWING, "formula", "n", "k", "f0", "tint")
+    found = check(options.against, preset=options.material, **given)
     return _json(found.to_dict()) if options.json else shown.checked(found)
 
 

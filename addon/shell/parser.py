@@ -54,8 +54,8 @@ def parser():
     command.add_argument("material", metavar=MATERIAL, help="a material")
     _add_viewing_options(command, gamut=False)
 
-    command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender and hold the "
-                       "pixels against the formulas", _add_report)
+    command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender "
+                       "and hold the pixels against the formulas", _add_report)
     command.add_argument("--device", default="CPU", metavar="NAME",
                          help="CPU (the default), or GPU: what the preferences switch on")
     command.add_argument("--only", metavar="GROUP", help="one model's name, or data")

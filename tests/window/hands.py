@@ -194,7 +194,9 @@ def group():
 
 
 def play(session, samples=4):
-    """Drive a session, write the report, quit. The viewport renders `samples`: it no longer takes a number set later."""
+    """Drive a session, write the report, quit. The viewport renders `samples`: it no longer takes a number
+    set later.
+    """
     faulthandler.dump_traceback_later(HANGS_AFTER, file=log_file)
     bpy.context.preferences.view.show_splash = False
     bpy.context.scene.render.engine = "CYCLES"  # EEVEE's shaders take a minute to compile without a graphics card
