@@ -17,8 +17,8 @@ FILE = ROOT / "docs" / "parameters.md"
 HEAD = """\
 # Parameters
 
-<!-- Made by tools/build_parameters.py from the models' tables, addon/models/<model>/parameters.py. Edit those, not
-this. -->
+<!-- Made by tools/build_parameters.py from the models' tables, addon/models/<model>/parameters.py.
+Edit those, not this. -->
 
 What `create_material` takes, what the panels and group nodes show, and what a preset sets. A value out of its range is
 answered with one sentence, and nothing is made.
