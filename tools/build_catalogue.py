@@ -31,8 +31,9 @@ INTRODUCTION = """\
 {version} ({licence}). Edit those, not this. -->
 
 {count} presets of all models, {metals} of them metals and alloys. Each name works in `bake`, in
-`create_material(preset=…)`, and in the panel; so do the other names. Beyond these, every dataset of refractiveindex.info that covers the visible can
-be baked by its id, such as `main/Cu/Johnson`: `python -m addon search TEXT` finds them.
+`create_material(preset=…)`, and in the panel; so do the other names. Beyond these, every dataset of
+refractiveindex.info that covers the visible can be baked by its id, such as `main/Cu/Johnson`:
+`python -m addon search TEXT` finds them.
 
 - **Colour** shows the preset on a ball in a studio, and is the mirror's at normal incidence, as sRGB, brought into the
   gamut where it lies outside (marked \\*).

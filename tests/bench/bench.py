@@ -225,10 +225,8 @@ def page(found, picture):
 `make bench` measures all of this in one run and writes `out/bench.json`. Blender {found['blender']}, {found['cores']}
 threads of a shared machine: trust the ratios, not the seconds. A copper sphere of slope 0.3 under a sun of 5° and a dim
 sky, {found['resolution']} × {found['resolution']} pixels. Ratios are to the Principled BSDF of the same run; noise is
-the
-rms deviation of a pixel between seeds over the mean, and "in the same time" is what it comes to when both render
-equally
-long.
+the rms deviation of a pixel between seeds over the mean, and "in the same time" is what it comes to when both render
+equally long.
 
 {table(found['noise_over_time'])}
 
