@@ -6,7 +6,9 @@ import numpy as np
 
 from ..optical_constants import (
     CORE_NM,
+    VISIBLE_NM,
     OpticalConstants,
+    ascending,
     from_normal_reflectance,
     on_common_wavelengths,
 )
@@ -20,6 +22,18 @@ LARGEST_INDEX = 1e4
 """Of n and k; no material comes near it, not in the far infrared either."""
 LARGEST_STEP = 50.0
 """Ratio of neighbouring wavelengths; beyond it units are mixed: they lie 1,000 apart."""
+LARGEST_GAP_NM = 75.0
+"""Between points beside one that is missing in the visible; so far apart are those of a coarse table."""
+SAME = 0.05
+"""Share by which two values at one wavelength may differ, and the floor that it is a share of."""
+SAME_FLOOR = 0.05
+STEEP_NM = 10.0
+"""Between neighbours of a curve so dense that it may climb at one wavelength."""
+K_NOISE, R_NOISE, R_ABOVE = -0.005, -0.005, 1.05
+"""What is still the noise of an instrument: k and R below 0, R above 1."""
+K_NOISE_OF_THE_DATABASE = -0.1
+LEAST_N_ALONE, LARGEST_RISE = 0.98, 0.1
+"""Without k, n below the one, or a rise of n towards the red by more than the other, is a half of what absorbs."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -28,7 +42,7 @@ class Points:
 
     role           "n", "k" or "R" (normal reflectance, 0 to 1)
     wavelength_nm  ``(W,)``
-    values         ``(W,)``
+    values         ``(W,)``; NaN where nothing was measured
     lines          in which line each stands, ``(W,)``
     """
 
@@ -37,27 +51,91 @@ class Points:
     values: np.ndarray
     lines: np.ndarray
 
+    def at(self, which):
+        """Those of an index array, or of a mask."""
+        return Points(self.role, self.wavelength_nm[which], self.values[which], self.lines[which])
 
-def checked(text, points):
-    """The points, once everything that has to hold for them does.
 
-    Raises FacetFilmError for too few points, wavelengths that are not above 0
-    and ascending, units mixed, n ≤ 0, k < 0 and R outside 0 to 1.
+def inside(wavelength_nm):
+    """Where wavelengths are in the visible, 360 to 780 nm."""
+    return (wavelength_nm >= VISIBLE_NM[0]) & (wavelength_nm <= VISIBLE_NM[1])
+
+
+def checked(text, points, noise=False):
+    """The points in ascending order, once everything that has to hold for them in the visible does.
+
+    noise  whether k is of the database, which keeps more of its noise
+
+    Points outside of 360 to 780 nm that cannot be are left out.  Raises
+    FacetFilmError for too few points, wavelengths that are not above 0 or in
+    disorder, units mixed, n ≤ 0, k < 0 and R outside 0 to 1.
     """
     w, lines = points.wavelength_nm, points.lines
-    if w.size < 2:
+    if w.size == 1:
         text.refuse(lines[0], "is the only point", "at least two wavelengths")
+    if w.size == 0:
+        text.refuse(None, f"no value of {points.role} is there", "at least two wavelengths")
     _require(text, lines, w, w > 0.0, "the wavelength is {:g} nm", "one above 0")
     step = w[1:] / w[:-1]
     ratio = np.maximum(step, 1.0 / np.maximum(step, 1e-300))
     _require(text, lines[1:], ratio, ratio <= LARGEST_STEP,
              "the wavelength is {:.0f} times apart from the one before: units are mixed",
              "nm throughout or µm throughout")
-    _require(text, lines[1:], w[1:], w[1:] != w[:-1], "the wavelength {:.10g} nm comes again", "each once")
-    _require(text, lines[1:], w[1:], w[1:] > w[:-1],
-             "the wavelength {:.10g} nm is below the one before", "wavelengths that ascend")
-    _check_values(text, points)
+    points = _possible(text, _measured(text, points), noise)
+    points = _each_once(text, _in_order(text, points))
+    if points.wavelength_nm.size < 2:
+        text.refuse(points.lines[0] if points.lines.size else None, "is the only point", "at least two wavelengths")
     return points
+
+
+def _measured(text, points):
+    """Those where something was measured; what is missing in the visible may be short of its neighbours only."""
+    missing = np.isnan(points.values)
+    if not missing.any():
+        return points
+    seen = np.flatnonzero(missing & inside(points.wavelength_nm))
+    there = np.sort(points.wavelength_nm[~missing])
+    for at in seen:
+        w = points.wavelength_nm[at]
+        below, above = there[there <= w], there[there >= w]
+        if not below.size or not above.size or above[0] - below[-1] > LARGEST_GAP_NM:
+            text.refuse(points.lines[at], f"{points.role} is missing at {w:g} nm", "a number")
+    if seen.size:
+        text.assume(f"{points.role} is missing at {_count(seen.size)} in the visible and taken from the neighbours")
+    return points.at(~missing)
+
+
+def _count(size):
+    return "1 point" if size == 1 else f"{size} points"
+
+
+def _possible(text, points, noise):
+    """Those that can be: noise is held to what can be, what is impossible outside the visible left out."""
+    values, role = points.values.copy(), points.role
+    seen = inside(points.wavelength_nm)
+    if role == "R":
+        low, high = values < 0.0, values > 1.0
+        _say_held(text, points, low & (values >= R_NOISE) & seen, "below 0", 0)
+        _say_held(text, points, high & (values <= R_ABOVE) & seen, "above 1", 1)
+        values = np.where(low & (values >= R_NOISE), 0.0, np.where(high & (values <= R_ABOVE), 1.0, values))
+        wrong = (values < 0.0) | (values > 1.0)
+    elif role == "k":
+        low = (values < 0.0) & (values >= (K_NOISE_OF_THE_DATABASE if noise else K_NOISE))
+        _say_held(text, points, low & seen, "below 0", 0)
+        values = np.where(low, 0.0, values)
+        wrong = (values < 0.0) | (values > LARGEST_INDEX)
+    else:
+        wrong = (values <= 0.0) | (values > LARGEST_INDEX)
+    points = Points(role, points.wavelength_nm, values, points.lines)
+    _check_values(text, points.at(seen))
+    if wrong.any():
+        text.assume(f"{_count(int(wrong.sum()))} of {role} outside of 360 to 780 nm left out: impossible values")
+    return points.at(~wrong)
+
+
+def _say_held(text, points, held, where, value):
+    if held.any():
+        text.assume(f"{points.role} {where} at {_count(int(held.sum()))} taken as {value}")
 
 
 def _check_values(text, points):
@@ -74,6 +152,71 @@ def _check_values(text, points):
              f"at most {LARGEST_INDEX:g}")
 
 
+def _in_order(text, points):
+    """In ascending order: turned where it falls, sorted where the pieces of the table agree with each other."""
+    w = points.wavelength_nm
+    step = np.diff(w)
+    if (step >= 0.0).all():
+        return points
+    if (step <= 0.0).all():
+        return points.at(slice(None, None, -1))
+    if np.count_nonzero(step < 0.0) > np.count_nonzero(step > 0.0):
+        points = points.at(slice(None, None, -1))
+        w, step = points.wavelength_nm, -step[::-1]
+    run = np.concatenate([[0], np.cumsum(step < 0.0)])
+    at = _out_of_place(points, run)
+    if at is not None:
+        text.refuse(points.lines[at], f"the wavelength {w[at]:.10g} nm is below the one before",
+                    "wavelengths that ascend or fall")
+    if inside(w[1:][step < 0.0]).any():
+        text.assume("the wavelengths are in no order: sorted")
+    return points.at(np.argsort(w, kind="stable"))
+
+
+def _out_of_place(points, run):
+    """The first point of the visible whose value other runs of ascending points contradict, or None."""
+    w, values = points.wavelength_nm, points.values
+    if run[-1] > 200:
+        return int(np.flatnonzero(np.diff(w) < 0.0)[0]) + 1
+    for one in range(1, run[-1] + 1):
+        mine = np.flatnonzero((run == one) & inside(w))
+        if not mine.size:
+            continue
+        for other in range(run[-1] + 1):
+            theirs = run == other
+            if other == one or not theirs.any():
+                continue
+            within = mine[(w[mine] > w[theirs].min()) & (w[mine] < w[theirs].max())]
+            expected = np.interp(w[within], w[theirs], values[theirs])
+            wrong = np.abs(values[within] - expected) > SAME * np.maximum(np.abs(expected), SAME_FLOOR)
+            if wrong.any():
+                return int(within[wrong][0])
+    return None
+
+
+def _each_once(text, points):
+    """Each wavelength once where values agree, in the order of the file: the last counts, as in the database."""
+    w, values = points.wavelength_nm, points.values
+    again = np.flatnonzero(w[1:] == w[:-1]) + 1
+    if not again.size:
+        return points
+    differ = np.abs(values[again] - values[again - 1]) > SAME * np.maximum(np.abs(values[again]), SAME_FLOOR)
+    seen = [at for at in again[differ & inside(w[again])] if not _on_a_steep_edge(w, values, at)]
+    if seen:
+        text.refuse(max(points.lines[seen[0] - 1], points.lines[seen[0]]), f"the wavelength {w[seen[0]]:.10g} nm comes again", "each once")
+    if inside(w[again]).any():
+        text.assume(f"{_count(int(inside(w[again]).sum()))} of {points.role} at a wavelength that comes twice: the last counts")
+    return Points(points.role, ascending(w), values, points.lines)
+
+
+def _on_a_steep_edge(w, values, at):
+    """Whether two values at one wavelength are two of a curve that climbs between close neighbours."""
+    if at < 2 or at + 1 >= w.size or w[at + 1] - w[at - 2] > 2.0 * STEEP_NM:
+        return False
+    four = np.diff(values[at - 2:at + 2])
+    return bool((four >= 0.0).all() or (four <= 0.0).all())
+
+
 def _require(text, lines, values, holds, found, expected):
     """Refuse the first line whose value does not hold."""
     if not holds.all():
@@ -81,10 +224,11 @@ def _require(text, lines, values, holds, found, expected):
         text.refuse(lines[at], found.format(values[at]), expected)
 
 
-def constants(text, found, citation=LICENCE):
+def constants(text, found, citation=LICENCE, database=False):
     """The OpticalConstants of checked Points: of n, of n and k, or of R.
 
-    found  Points, each role once at most
+    found     Points, each role once at most
+    database  whether it is a file of the database: n alone is then what is known of it
 
     Raises FacetFilmError for another choice of quantities, and where less than
     50 nm of the visible are covered.
@@ -94,18 +238,40 @@ def constants(text, found, citation=LICENCE):
         twice = [points for points in found if by_role[points.role] is not points][0]
         text.refuse(by_role[twice.role].lines[0], f"{twice.role} comes a second time", "each quantity once")
     if set(by_role) not in ({"n"}, {"n", "k"}, {"R"}):
-        text.refuse(None, "has " + " and ".join(sorted(by_role)), "n, n and k, or R")
+        half = ", half of a pair" if set(by_role) == {"k"} else ""
+        text.refuse(None, "has " + " and ".join(sorted(by_role)) + half, "n, n and k, or R")
     low = max(points.wavelength_nm[0] for points in found)
     high = min(points.wavelength_nm[-1] for points in found)
     if min(high, CORE_NM[1]) - max(low, CORE_NM[0]) < LEAST_COVER_NM - 1e-3:
         text.refuse(None, f"the wavelengths, {low:g} to {high:g} nm, cover less than {LEAST_COVER_NM:g} nm "
                           "of the visible", "400 to 700 nm or a good part of it")
+    if low > CORE_NM[0] or high < CORE_NM[1]:
+        text.assume(f"only {max(low, CORE_NM[0]):g} to {min(high, CORE_NM[1]):g} nm of 400 to 700 nm are measured: "
+                    "the values at the ends are held beyond")
     about = {"dataset": f"file:{text.name}", "title": text.title, "citation": citation, "licence": LICENCE}
     if "R" in by_role:
-        return from_normal_reflectance(by_role["R"].wavelength_nm, by_role["R"].values, **about)
-    n = by_role["n"]
-    k = by_role.get("k")
+        made = from_normal_reflectance(by_role["R"].wavelength_nm, by_role["R"].values, **about)
+        return dataclasses.replace(made, assumed=tuple(text.assumed))
+    n, k = by_role["n"], by_role.get("k")
     if k is None:
-        return OpticalConstants(n.wavelength_nm, n.values, np.zeros_like(n.values), has_k=False, **about)
+        chosen = _alone(text, n, database)
+        return OpticalConstants(n.wavelength_nm, n.values, np.zeros_like(n.values), has_k=chosen, assumed=tuple(text.assumed), **about)
     wavelength, n, k = on_common_wavelengths((n.wavelength_nm, n.values), (k.wavelength_nm, k.values))
-    return OpticalConstants(wavelength, n, k, range_nm=(float(low), float(high)), **about)
+    return OpticalConstants(wavelength, n, k, range_nm=(float(low), float(high)), assumed=tuple(text.assumed), **about)
+
+
+def _alone(text, n, database):
+    """Whether k = 0 is the caller's choice, where n alone cannot be all: metals have n below 1, or n that rises."""
+    w, values = n.wavelength_nm, n.values
+    core = (w >= CORE_NM[0]) & (w <= CORE_NM[1])
+    ends = np.interp([max(w[0], CORE_NM[0]), min(w[-1], CORE_NM[1])], w, values)
+    least = min(ends.min(), values[core].min(initial=np.inf))
+    absorbs = least < LEAST_N_ALONE or ends[1] - ends[0] > LARGEST_RISE
+    if database or not absorbs:
+        text.assume("no k is given: taken as 0")
+        return False
+    why = f"n falls to {least:g}" if least < LEAST_N_ALONE else f"n rises from {ends[0]:g} to {ends[1]:g} towards the red"
+    text.ask(None, f"has n alone, half of a pair: {why}, as only where light is absorbed, so that k is missing;", ("k = 0",),
+             "n and k, or the other half in a file beside it")
+    text.assume("no k is given: taken as 0, as chosen")
+    return True
