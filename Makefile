@@ -22,7 +22,7 @@ SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups
 SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo figures test verify smoke matrix bench package assets test-window
+.PHONY: help setup lint groups library demo figures test verify smoke matrix bench package assets test-window
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
@@ -33,22 +33,34 @@ help:
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make bench     measure time, noise and sizes, write out/bench.json and docs/benchmarks.md"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
-	@echo "make assets    build search index, node groups, previews, asset library and catalogue (on Blender 4.5)"
+	@echo "make lint      hold the sources to the rules in pyproject.toml"
+	@echo "make groups    build the node groups, where their sources have changed; make library the assets too"
+	@echo "make assets    build everything that is made of data and sources: search index, groups, previews, documents"
 	@echo "make setup     only make the environment that the others use ($(VENV))"
 
 setup:
 	@python=$$(PYTHON="$(PYTHON)" VENV="$(VENV)" sh tools/find_python.sh $(BPY)) \
 	&& "$$python" tools/setup_venv.py --venv "$(VENV)" $(BPY:%=--bpy %)
 
-demo: setup
+lint: setup
+	$(RUN) -m ruff check .
+
+# Built with the first command that needs them, and again where a stamp says that their sources have changed.
+groups: setup
+	@$(RUN) tools/build_groups.py
+
+library: groups
+	@$(RUN) tools/build_assets.py
+
+demo: groups
 	$(RUN) -m demo_blend.vases --out out
 
 # The comparison of two Blenders runs on the newest one beside the default; without its Python it is left out and said so.
-figures: setup
+figures: groups
 	-@$(MAKE) --no-print-directory setup BPY=5.2 VENV=.venv-5.2
 	$(RUN) -m demo_blend.figures --scenes out $$([ -x .venv-5.2/bin/python ] && echo --other .venv-5.2/bin/python) $(FIGURES)
 
-test: setup
+test: library
 	$(RUN) -m pytest $(TESTS)
 
 test-window:
@@ -56,26 +68,27 @@ test-window:
 	@$(MAKE) --no-print-directory setup
 	$(RUN) tests/window/run.py --blender "$(BLENDER)"
 
-smoke: setup
+smoke: library
 	$(RUN) -m pytest $(SMOKE)
 
 matrix:
 	@for blender in $(SUPPORTED); do $(MAKE) test verify BPY=$$blender || exit 1; done
 
-verify: setup
+verify: groups
 	@mkdir -p out
 	$(RUN) -m addon verify -o out/verification$(series:%=-%).html --json out/verification$(series:%=-%).json
 
-bench: setup
+bench: library
 	$(RUN) -m tests.bench.bench $$([ -x $(OLDEST)/bin/python ] && echo --other $(OLDEST)/bin/python)
 
-package: setup
+package: library
 	$(RUN) tools/package.py --out dist
 
 assets:
 	$(MAKE) setup BPY=4.5 VENV=$(OLDEST)
 	$(OLDEST)/bin/python tools/build_search.py
-	$(OLDEST)/bin/python tools/build_groups.py
+	$(OLDEST)/bin/python tools/build_groups.py --again --record
 	$(OLDEST)/bin/python tools/render_previews.py
-	$(OLDEST)/bin/python tools/build_assets.py
+	$(OLDEST)/bin/python tools/build_assets.py --again
 	$(OLDEST)/bin/python tools/build_catalogue.py
+	$(OLDEST)/bin/python tools/build_parameters.py

@@ -15,7 +15,7 @@ SHELF = (
     ("copper", "gold", "silver", "aluminium", "brass", "bronze", "chromium"),
     ("titanium", "tungsten", "zinc", "electrum", "purple_gold", "titanium_nitride", "stainless_steel"),
     ("haematite", "cuprite", "silicon", "obsidian", "vinyl", "rust", "olive_drab"),
-    ("nacre", "beetle", "old bronze", "raku glaze", "oil on water", "pearl lacquer", "heat-tinted titanium"),
+    ("nacre", "beetle", "old_bronze", "raku_glaze", "oil_on_water", "pearl_lacquer", "heat_tinted_titanium"),
 )
 """From the front row to the last: metals, alloys and compounds, others, layers."""
 
@@ -34,17 +34,16 @@ STEP = (1.36, 1.25, 1.22)
 
 def _material(name):
     from addon import api
-    from addon.layered_presets import PRESETS
-    model = "layered_rgb" if name in PRESETS else "cook_torrance"
-    return api.create_material(model, preset=name, realisation="exact" if model == "layered_rgb" else "fast")
+    from addon.catalogue.presets import all_presets
+    return api.create_material(preset=name, realisation="fast" if all_presets()[name].measured else "exact")
 
 
 def three_wavelengths(metal):
     """The metal as it is often made: n and k at 650, 550 and 450 nm taken for red, green and blue."""
     from addon import api
-    from addon.bake import reflected
     from addon.bake.paper import SAMPLED_NM
-    _, constants = reflected.material(metal)
+    from addon.catalogue.resolving import resolve
+    constants = resolve(metal).constants
     n, k = constants.at(np.array(SAMPLED_NM))
     return api.create_material(preset=metal, name=f"{metal}, three wavelengths", n=tuple(n.tolist()),
                                k=tuple(k.tolist()))

@@ -8,12 +8,12 @@ from .pictures import labelled, row
 from .studio import add_camera, add_cove, add_lamp, new_scene, set_sky
 from .turned import JAR_PROFILE, turned_object
 
-FIGURE_2 = (("1–30 nm, index 1.5\nold metal", "figure 2, old metal"), ("1–210 nm, index 1.3\ncoloured", "figure 2, coloured"),
-            ("67–73 nm, index 1.4\nclay", "figure 2, clay"))
-FIGURE_3 = (("parallel boundaries", "figure 3, parallel"), ("deviation 10°", "figure 3, deviation"))
-FIGURE_4 = (("deviation along the gradient of the thickness", "figure 4"),)
-FIGURE_5 = (("1–30 nm", "figure 5, 1-30 nm"), ("79–106 nm", "figure 5, 79-106 nm"),
-            ("146–200 nm", "figure 5, 146-200 nm"))
+FIGURE_2 = (("1–30 nm, index 1.5\nold metal", "figure_2_old_metal"), ("1–210 nm, index 1.3\ncoloured", "figure_2_coloured"),
+            ("67–73 nm, index 1.4\nclay", "figure_2_clay"))
+FIGURE_3 = (("parallel boundaries", "figure_3_parallel"), ("deviation 10°", "figure_3_deviation"))
+FIGURE_4 = (("deviation along the gradient of the thickness", "figure_4"),)
+FIGURE_5 = (("1–30 nm", "figure_5_1_30_nm"), ("79–106 nm", "figure_5_79_106_nm"),
+            ("146–200 nm", "figure_5_146_200_nm"))
 
 
 def jar_scene(job, width, height, samples):

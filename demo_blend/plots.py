@@ -10,8 +10,9 @@ from matplotlib.figure import Figure as Canvas
 from addon.bake import reflected, ways
 from addon.bake.colour import spectral_weights
 from addon.bake.gamut import map_colours
-from addon.reflectance import cook_torrance as ct
-from addon.reflectance import layered_rgb as layered
+from addon.catalogue.resolving import resolve
+from addon.models.cook_torrance import formulas as ct
+from addon.models.layered_rgb import formulas as layered
 from addon.reflectance.directions import direction
 from addon.spectra import illuminants, observers
 
@@ -64,7 +65,7 @@ def lobes(job):
 
 def copper_spectra(job):
     """Figure 4: copper's reflectance at normal incidence, and D65 before and after the mirror."""
-    _, constants = reflected.material("copper")
+    constants = resolve("copper").constants
     n, k = constants.at(WAVELENGTHS)
     mirror = reflected.mirror_spectra(np.array([1.0]), n, k)[0]
     daylight = illuminants.power("D65")
@@ -83,7 +84,7 @@ def copper_spectra(job):
 
 def copper_over_angle(job):
     """Figure 5: copper's reflectance over wavelength and angle, and its colour over angle, exact and by the shift."""
-    _, constants = reflected.material("copper")
+    constants = resolve("copper").constants
     n, k = constants.at(WAVELENGTHS)
     degrees = np.linspace(0.0, 90.0, 91)
     spectra = reflected.mirror_spectra(np.cos(np.radians(degrees)), n, k)

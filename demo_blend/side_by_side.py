@@ -14,7 +14,7 @@ from .job import Figure
 from .pictures import column, encode, labelled, row, strip
 
 MATERIALS = (("copper of figure 6b", "cook_torrance", {"preset": "figure_6b"}),
-             ("layers of figure 5, 92 nm", "layered_rgb", {"preset": "figure 5, 79-106 nm", "thickness": 92.0}))
+             ("layers of figure 5, 92 nm", "layered_rgb", {"preset": "figure_5_79_106_nm", "thickness": 92.0}))
 REALISATIONS = (("fast", "Fast"), ("exact", "Exact"), ("osl", "OSL"))
 BRIGHTER = 5.0
 """Differences are shown this many times as large, about a middle grey."""

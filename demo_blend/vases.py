@@ -74,7 +74,7 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
 
     from addon import api
-    from addon.cli_text import baked
+    from addon.shell.text import baked
     print("Baked from measured optical constants for this Blender, CIE D65, 1931 2° observer:\n")
     for name in ("copper", "gold", "vinyl"):
         print(baked(api.bake(name)) + "\n")

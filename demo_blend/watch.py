@@ -28,8 +28,8 @@ SMOOTH, ROUGH, ROUGHEST = 0.08, 0.28, 0.5
 def gold_with_pattern():
     """Gold, smooth along the border of each link and rough inside, in fine stripes of two slopes."""
     from addon import api
-    from addon.blender.groups import socket_named
-    from addon.blender.materials import our_node
+    from addon.blender.datablocks.groups import socket_named
+    from addon.blender.datablocks.materials import our_node
     material = api.create_material(preset="gold", name="Gold, patterned")
     tree, ours = material.node_tree, our_node(material)
 

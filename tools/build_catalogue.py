@@ -14,25 +14,22 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from addon.bake import bake  # noqa: E402
-from addon.spectra import presets, tables  # noqa: E402
+from addon.models.making import made  # noqa: E402
+from addon.catalogue import presets  # noqa: E402
+from addon.spectra import tables  # noqa: E402
 
 FILE = ROOT / "docs" / "materials.md"
 TOOL = "tools/build_catalogue.py"
-KINDS = {
-    "metal": "Metals", "alloy": "Alloys", "conductor": "Nitrides, carbides and other conductors",
-    "semiconductor": "Semiconductors", "oxide": "Oxides", "sulphide": "Sulphides", "crystal": "Crystals and gems",
-    "glass": "Glasses", "liquid": "Liquids", "polymer": "Polymers",
-    "figure": "Figures 6 and 7 and table I of Cook and Torrance 1982",
-}
 HEAD = ("Preset", "Also called", "Colour", "F0", "F82 tint", "s", "m (share)", "Fit", "Data")
+UNMEASURED_HEAD = ("Preset", "Also called", "Picture", "What it is")
 
 INTRODUCTION = """\
 # Materials
 
-<!-- Made by {tool} from addon/spectra/data/presets.json and the {source},
+<!-- Made by {tool} from the models' presets.json and the {source},
 {version} ({licence}). Edit those, not this. -->
 
-{count} presets, {metals} of them metals and alloys. Each name works in `bake`, in `create_material(preset=…)`, and
+{count} presets of all models, {metals} of them metals and alloys. Each name works in `bake`, in `create_material(preset=…)`, and
 in the panel; so do the other names. Beyond these, every dataset of refractiveindex.info that covers the visible can
 be baked by its id, such as `main/Cu/Johnson`: `python -m addon search TEXT` finds them.
 
@@ -50,17 +47,27 @@ be baked by its id, such as `main/Cu/Johnson`: `python -m addon search TEXT` fin
 def main(path=FILE):
     """Write the catalogue."""
     about, _, _ = tables.read("refractiveindex")
-    baked = {preset: bake(preset.name) for preset in presets.all_presets().values()}
-    citations = list(dict.fromkeys(bake.source.citation for preset, bake in sorted(
-        baked.items(), key=lambda item: list(KINDS).index(item[0].kind)) if preset.dataset))
-    metals = sum(preset.kind in {"metal", "alloy"} for preset in baked)
-    parts = [INTRODUCTION.format(**about | {"tool": TOOL}, count=len(baked), metals=metals)]
-    for kind, title in KINDS.items():
-        rows = [row(preset, bake, citations) for preset, bake in baked.items() if preset.kind == kind]
-        parts.append(f"## {title}\n\n" + "\n".join(map(line, [HEAD, ["---"] * len(HEAD), *rows])) + "\n")
+    everything = presets.all_presets().values()
+    baked = {preset: (bake(preset.name), made(preset=preset.name).parameters)
+             for preset in everything if preset.measured}
+    citations = list(dict.fromkeys(found.source.citation for preset, (found, _) in sorted(
+        baked.items(), key=lambda item: list(presets.KINDS).index(item[0].kind)) if preset.dataset))
+    metals = sum(preset.kind in {"metal", "alloy"} for preset in everything)
+    parts = [INTRODUCTION.format(**about | {"tool": TOOL}, count=len(everything), metals=metals)]
+    for kind, title in presets.KINDS.items():
+        of_kind = [preset for preset in everything if preset.kind == kind]
+        rows = [row(preset, *baked[preset], citations) for preset in of_kind if preset.measured]
+        others = [unmeasured_row(preset) for preset in of_kind if not preset.measured]
+        listed = [table(head, found) for head, found in ((HEAD, rows), (UNMEASURED_HEAD, others)) if found]
+        parts.append(f"## {title}\n\n" + "\n".join(listed))
     sources = "\n".join(f"{number}. {' '.join(text.split())}" for number, text in enumerate(citations, 1))
     parts.append(f"## Sources\n\nAs refractiveindex.info cites them.\n\n{sources}\n")
     pathlib.Path(path).write_text("\n".join(parts), encoding="utf-8")
+
+
+def table(head, rows):
+    """A table as Markdown."""
+    return "\n".join(map(line, [head, ["---"] * len(head), *rows])) + "\n"
 
 
 def line(cells):
@@ -68,14 +75,19 @@ def line(cells):
     return "| " + " | ".join(cells) + " |"
 
 
-def row(preset, bake, citations):
-    """The cells of a preset."""
-    slopes = ", ".join(f"{m:g}" + (f" ({w:g})" if len(preset.slopes) > 1 else "") for m, w in preset.slopes)
+def unmeasured_row(preset):
+    """The cells of a preset that was not measured."""
+    return (f"`{preset.name}`", ", ".join(dict.fromkeys([preset.title, *preset.aliases])), picture(preset.name), preset.note)
+
+
+def row(preset, bake, surface, citations):
+    """The cells of a measured preset."""
+    slopes = ", ".join(f"{m:g}" + (f" ({w:g})" if len(surface.slopes) > 1 else "") for m, w in surface.slopes)
     data = [f"`{preset.dataset}` [{citations.index(bake.source.citation) + 1}]." if preset.dataset else "",
             preset.note, preset.estimated and "*Estimated:* " + preset.estimated.removeprefix("Estimated: ")]
     return (f"`{preset.name}`", ", ".join(dict.fromkeys([preset.title, *preset.aliases])),
             f"{picture(preset.name)} `{swatch(bake.normal_rgb)}`" + ("\\*" if bake.gamut.outside else ""),
-            numbers(bake.f0, 3), numbers(bake.f82_tint, 2), f"{preset.specular:g}", slopes,
+            numbers(bake.f0, 3), numbers(bake.f82_tint, 2), f"{surface.specular:g}", slopes,
             f"{bake.conductor.delta_e_2000_max:.2f}", " ".join(filter(None, data)))
 
 

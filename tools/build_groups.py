@@ -1,63 +1,100 @@
-"""Builds the library node_groups/groups from the formulas, on the oldest Blender supported.
+"""Builds the library node_groups/groups from the formulas, where it is not there or its sources have changed.
 
-    python tools/build_groups.py [--out FOLDER]
+    python tools/build_groups.py [--again] [--record]
 
-A file for every group but those of OSL, whose compiled code belongs to one
-Blender version.  A text in each, the stamp, is the hash of the sources that the
-groups are built from; a test compares it with the sources as they are.
+A file for every group but those of OSL, whose compiled code belongs to one Blender version.  A file that an older Blender
+wrote opens in a newer one, so one library serves all.  --record writes the groups' fingerprints into
+node_groups/versions.json, and refuses where a group has changed and its version has not.
 """
 
 import argparse
-import hashlib
+import json
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-import bpy  # noqa: E402
+from tools import stamps  # noqa: E402
 
-from addon.blender.groups import (FAST_OF, FINGERPRINT_KEY, GROUPS, LIBRARY, build_group,  # noqa: E402
-                                  fingerprint, library_file)
+__all__ = ["LIBRARY", "STAMP", "VERSIONS", "build", "ensure", "record", "why_not_recorded"]
 
-__all__ = ["STAMP", "source_stamp", "build"]
+LIBRARY = ROOT / "node_groups" / "groups"
+STAMP = LIBRARY / "stamp.json"
+VERSIONS = ROOT / "node_groups" / "versions.json"
+"""{group: {version, fingerprint}}: what has been given to users or is about to be."""
 
-STAMP = "facet_film_groups stamp"
-OLDEST = (4, 5)
 
-
-def source_stamp():
-    """Hash of the sources that the groups are built from."""
-    digest = hashlib.sha256()
-    files = [ROOT / "addon" / "operands.py", *sorted((ROOT / "addon" / "nodes").glob("*.py")),
-             *sorted((ROOT / "addon" / "reflectance").glob("*.py"))]
-    for file in files:
-        digest.update(file.name.encode() + file.read_bytes())
-    return digest.hexdigest()
+def ensure(again=False):
+    """Build the library unless it is current; whether it was built."""
+    if not again and stamps.is_current(STAMP):
+        return False
+    start = time.perf_counter()
+    build(LIBRARY)
+    stamps.write(STAMP, stamps.loaded_sources())
+    print(f"node groups built in {time.perf_counter() - start:.0f} s", flush=True)
+    return True
 
 
 def build(folder):
-    """Build every group anew and save each, compressed, with nothing else; (group, file) of each."""
+    """Build every group anew and save each, compressed, with nothing else; a line each of how far it is."""
+    import bpy
+
+    from addon.blender.datablocks import groups
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    stamp = bpy.data.texts.new(STAMP)
-    stamp.write(source_stamp())
     folder.mkdir(parents=True, exist_ok=True)
-    built = []
-    for identifier, place in GROUPS.items():
-        if not place.startswith("osl_groups"):
-            group, file = build_group(identifier), folder / library_file(identifier).name
-            if identifier not in FAST_OF:  # the others get a second shader when they are brought in
-                group[FINGERPRINT_KEY] = fingerprint(group)
-            bpy.data.libraries.write(str(file), {group, stamp}, fake_user=True, compress=True)
-            built.append((group, file))
-    return built
+    for old in folder.glob("*.blend"):
+        old.unlink()  # a group that is brought in is taken from here
+    wanted = [group for group in groups.all_groups() if not group.osl]
+    for number, group in enumerate(wanted, 1):
+        tree = groups.build_group(group.identifier)
+        bpy.data.libraries.write(str(folder / f"{group.identifier}.blend"), {tree}, fake_user=True, compress=True)
+        print(f"{number}/{len(wanted)} {group.name}: {len(tree.nodes)} nodes", flush=True)
+
+
+def fingerprints():
+    """{group: {version, fingerprint}} of all groups as they are built now."""
+    import bpy
+
+    from addon.blender.datablocks import fingerprints, groups
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    return {group.identifier: {"version": group.version,
+                               "fingerprint": fingerprints.fingerprint(groups.node_group(group.identifier))}
+            for group in groups.all_groups()}
+
+
+def why_not_recorded(now, recorded):
+    """What keeps each of the groups from being recorded: {group: sentence}.
+
+    >>> one = {"g": {"version": 1, "fingerprint": "a"}}
+    >>> why_not_recorded({"g": {"version": 1, "fingerprint": "b"}}, one)
+    {'g': 'g computes something else than version 1 did: raise its version'}
+    >>> why_not_recorded({"g": {"version": 2, "fingerprint": "b"}}, one)
+    {}
+    """
+    return {name: f"{name} computes something else than version {found['version']} did: raise its version"
+            for name, found in now.items()
+            if name in recorded and found["version"] <= recorded[name]["version"] and found != recorded[name]}
+
+
+def record():
+    """Write versions.json; sentences on what is refused."""
+    now = fingerprints()
+    recorded = json.loads(VERSIONS.read_text(encoding="utf-8")) if VERSIONS.exists() else {}
+    refused = why_not_recorded(now, recorded)
+    if not refused:
+        VERSIONS.write_text(json.dumps(now, indent=1) + "\n", encoding="utf-8")
+    return refused
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--out", type=Path, default=LIBRARY, help="the folder to write into")
+    parser.add_argument("--again", action="store_true", help="build even what is current")
+    parser.add_argument("--record", action="store_true", help="write the fingerprints into versions.json")
     options = parser.parse_args()
-    if bpy.app.version[:2] != OLDEST:
-        parser.error("build the groups on Blender {}.{}, whose files every later one opens".format(*OLDEST))
-    for made, written in build(options.out):
-        print(f"{written.name}: {len(made.nodes)} nodes, {written.stat().st_size / 1024:.0f} kB")
+    ensure(options.again)
+    if options.record:
+        sentences = record().values()
+        if sentences:
+            sys.exit("\n".join(sentences))

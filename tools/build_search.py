@@ -11,8 +11,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
-from addon.spectra import names, presets, tables  # noqa: E402
-from addon.spectra.search import END_OF_NAMES, words_of  # noqa: E402
+from addon.spectra import names, tables  # noqa: E402
+from addon.catalogue import presets  # noqa: E402
+from addon.catalogue.search import index_line  # noqa: E402
 
 SHELVES = ("main", "other", "organic", "glass", "3d", "popular_glass", "specs")
 
@@ -28,20 +29,21 @@ def build(folder):
              "source": "presets.json, names.json, refractiveindex.table",
              "version": tables.about("refractiveindex")["version"], "licence": "CC0-1.0", "tool": "tools/build_search.py"}
     found, words = map(list, zip(*materials))
-    tables.pack(folder / "search.table", about, {"found": found, "words": words})
+    tables.pack(folder / "search.table", about, {"found": found, "words": words, "presets": len(presets.all_presets())})
     return len(materials)
 
 
 def of_preset(preset, record, index):
-    """(what addon.spectra.search.Found holds, its words) of a preset with its dataset's record, if it has one."""
-    covers = covers_visible(record) if record else presets.constants(preset).covers_visible
+    """(what addon.catalogue.search.Found holds, its words) of a preset with its dataset's record, if it has one."""
+    constants = None if record else presets.constants(preset)
+    covers = covers_visible(record) if record else constants is None or constants.covers_visible
     found = [preset.name, preset.title, preset.kind, preset.dataset, True, covers]
     named = [preset.name, preset.title, preset.kind, *preset.aliases]
     others = [preset.note, preset.estimated]
     if record is not None:
         named += [*names.material_names(preset.dataset), *preset.dataset.split("/")[1:]]
         others = [record[1], preset.note, index["citations"][record[2]]]
-    return found, words(named, others)
+    return found, index_line(named, others)
 
 
 def of_dataset(record, index, values):
@@ -50,14 +52,7 @@ def of_dataset(record, index, values):
     k = values[k_model[2]:k_model[2] + k_model[3]].mean() if k_model else 0.0
     found = [dataset, names.title_of(dataset, title), names.kind_of(dataset, k), dataset, False, covers_visible(record)]
     named = [*names.material_names(dataset), *dataset.split("/")[1:]]
-    return found, words(named, [title, comment, index["citations"][citation]])
-
-
-def words(named, others):
-    """The words of a material's names, then all its other words, each once."""
-    of_names = dict.fromkeys(word for text in named for word in words_of(text))
-    of_others = dict.fromkeys(word for text in others for word in words_of(text) if word not in of_names)
-    return f" {' '.join(of_names)} {END_OF_NAMES} {' '.join(of_others)}"
+    return found, index_line(named, [title, comment, index["citations"][citation]])
 
 
 def covers_visible(record):

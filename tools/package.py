@@ -17,6 +17,10 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from tools import build_assets, build_groups  # noqa: E402
+
 SHIPPED = ("blender_manifest.toml", "__init__.py", "README.md", "LICENSE", "addon/", "node_groups/")
 EARLIEST = (1980, 1, 1, 0, 0, 0)
 
@@ -72,6 +76,9 @@ def repack(source, target):
 
 def build(folder, root=ROOT):
     """Build the extension in the checkout `root` into `folder`, validated; return the zip's path."""
+    if root == ROOT:
+        build_groups.ensure()
+        build_assets.ensure()
     manifest = tomllib.loads((root / "blender_manifest.toml").read_text(encoding="utf-8"))
     target = Path(folder) / f"{manifest['id']}-{manifest['version']}.zip"
     target.parent.mkdir(parents=True, exist_ok=True)

@@ -20,38 +20,38 @@ sys.path.insert(0, str(ROOT))
 import bpy  # noqa: E402
 
 from addon import api  # noqa: E402
-from addon.blender.groups import node_group  # noqa: E402
-from addon.layered_presets import PRESETS  # noqa: E402
-from addon.spectra import presets  # noqa: E402
+from addon.blender.datablocks.groups import all_groups, model_of_group, node_group  # noqa: E402
+from addon.catalogue import presets  # noqa: E402
 from tools import preview_scene  # noqa: E402
 from tools.png_file import png_bytes  # noqa: E402
 
-__all__ = ["FOLDER", "GROUP_PREVIEWS", "NAMES"]
+__all__ = ["FOLDER", "GROUP", "names"]
 
 FOLDER = ROOT / "addon" / "thumbnails"
-GROUP_PREVIEWS = {
-    "group cook_torrance_fast": lambda: _own("cook_torrance", "fast"),
-    "group cook_torrance_fast_f82": lambda: _own("cook_torrance", "fast", preset="sapphire"),
-    "group cook_torrance_exact": lambda: _own("cook_torrance", "exact"),
-    "group layered_rgb_fast": lambda: _own("layered_rgb", "fast", thickness=200.0),
-    "group layered_rgb_exact": lambda: _own("layered_rgb", "exact", thickness=200.0),
-    "group layer_thickness": lambda: _emitting(node_group("layer_thickness"), "Field"),
-    "group fresnel_ramp": lambda: _emitting(api.create_fresnel_ramp("copper"), "Color"),
-}
-"""Preview -> the material that shows what the group does with its own defaults."""
+GROUP = "group "
+"""What the names of groups' previews begin with."""
+RAMP = "group fresnel_ramp"
+SHOWN_WITH = {"layered_rgb": {"thickness": 200.0}}
+"""Parameters of a model whose own defaults show little of what its groups do."""
 
-NAMES = (*presets.names(), *PRESETS, *GROUP_PREVIEWS)
+
+def names():
+    """The previews that there are: of every preset, every group of the Add menu but those of OSL, and the ramp."""
+    groups = [GROUP + group.identifier for group in all_groups() if group.in_menu and not group.osl]
+    return (*presets.names(), *groups, RAMP)
+
+
 LOST_BITS = 1
 """Of eight a channel: no eye sees it, and the files shrink by a quarter."""
 
 
-def main(names):
+def main(wanted):
     """Render each and say how long it took."""
     FOLDER.mkdir(exist_ok=True)
     scene, ball = preview_scene.new_scene()
     with tempfile.TemporaryDirectory() as scratch:
         rendered = Path(scratch) / "preview.png"
-        for name in names:
+        for name in wanted:
             start = time.perf_counter()
             material = _material(name)
             preview_scene.render(scene, ball, material, rendered)
@@ -61,13 +61,16 @@ def main(names):
 
 
 def _material(name):
-    if name in GROUP_PREVIEWS:
-        return GROUP_PREVIEWS[name]()
-    return api.create_material("layered_rgb" if name in PRESETS else "cook_torrance", preset=name)
-
-
-def _own(model, realisation, preset=None, **parameters):
-    return api.create_material(model, realisation=realisation, preset=preset, **parameters)
+    if not name.startswith(GROUP):
+        return api.create_material(preset=name)
+    if name == RAMP:
+        return _emitting(api.create_fresnel_ramp("copper"), "Color")
+    identifier = name.removeprefix(GROUP)
+    model = model_of_group(identifier)
+    realisation = model.realisation_of(identifier)
+    if realisation is None:
+        return _emitting(node_group(identifier), "Field")
+    return api.create_material(model.name, realisation=realisation[0], **SHOWN_WITH.get(model.name, {}))
 
 
 def _emitting(group, output):
@@ -105,8 +108,8 @@ def _coarser(pixels):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--only", nargs="+", metavar="NAME", help="the presets and groups to render (all)")
-    chosen = parser.parse_args().only or NAMES
-    unknown = [name for name in chosen if name not in NAMES]
+    chosen = parser.parse_args().only or names()
+    unknown = [name for name in chosen if name not in names()]
     if unknown:
         parser.error(f"there is no preset or group {', '.join(unknown)}")
     if bpy.app.version[:2] != (4, 5):

@@ -5,15 +5,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..catalogue.resolving import require_measured
 from ..errors import choice
 from ..reflectance import fresnel
 from .colour import lab
 from .curve import knots
 from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_of
 from .gamut import GamutReport
-from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, check_named, diffuse_colour, reflect
+from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
 
-__all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "plain", "FORMULAS"]
+__all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "plain", "bake_with_index", "FORMULAS"]
 
 FORMULAS = {"exact": fresnel.conductor, "blender-4.5": fresnel.conductor_blender_4_5}
 """What the renderer evaluates for a conductor: exact from Blender 5.0, before that an approximation."""
@@ -66,9 +67,8 @@ class Bake(NamedTuple):
     """What a material is for a renderer.
 
     f0 and f82_tint are colorimetric, before colours are brought into the
-    gamut; conductor, f82, fresnel, normal_rgb (the colour at normal incidence)
-    and diffuse_rgb (π·Rd) are after.  best names the closer one of "conductor"
-    and "f82".  specular, slopes and distribution are the preset's.  white is
+    gamut; conductor, f82, fresnel and normal_rgb (the colour at normal incidence)
+    are after.  best names the closer one of "conductor" and "f82".  white is
     what a perfect reflector is in this light: neutral in D65 and where adapted.
     estimated says what of the preset is no measurement, and from what it was
     guessed; "" where all is measured.
@@ -88,12 +88,8 @@ class Bake(NamedTuple):
     fresnel: FresnelCurve
     gamut: GamutReport
     normal_rgb: tuple
-    diffuse_rgb: tuple
     best: str
     adapted: bool
-    specular: float
-    slopes: tuple
-    distribution: str
     white: tuple
     estimated: str
 
@@ -105,22 +101,13 @@ class Bake(NamedTuple):
         """
         return plain(self)
 
-    def cook_torrance_parameters(self):
-        """Keywords of the Cook-Torrance material: slopes, distribution, specular, n, k and diffuse.
-
-        >>> bake("figure_6a").cook_torrance_parameters()["specular"]
-        0.1
-        """
-        return {"slopes": self.slopes, "distribution": self.distribution, "specular": self.specular,
-                "n": self.conductor.n, "k": self.conductor.k,
-                "diffuse": tuple(min(max(channel, 0.0), 1.0) for channel in self.diffuse_rgb)}
-
 
 def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut="desaturate",
          formula="exact", from_normal_reflectance=False):
     """Bake a material: F(λ,θ) to linear RGB at every angle, and per channel the closest parameters.
 
-    preset      a preset's name, a dataset's id "shelf/book/page", or OpticalConstants
+    preset      what :func:`addon.catalogue.resolving.resolve` understands: a preset's name, a dataset's id
+                "shelf/book/page", a file, OpticalConstants
     illuminant, observer, space, adapt, gamut  as for :class:`~addon.bake.reflected.Viewing`
     formula     "exact" (Blender 5.0 and later) or "blender-4.5": for which n and k are fitted
     from_normal_reflectance  the paper's way where only the normal reflectance
@@ -131,10 +118,10 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     >>> [round(x, 3) for x in bake("copper").f0]
     [0.932, 0.623, 0.522]
     """
-    check_named(preset)
     choice("formula", formula, FORMULAS)
     viewing = Viewing(illuminant, observer, space, adapt, gamut)
-    reflected, metric, target_lab, f82, curve = _whatever_the_formula(preset, viewing, from_normal_reflectance)
+    found = require_measured(preset)
+    reflected, metric, target_lab, f82, curve = _whatever_the_formula(found, viewing, from_normal_reflectance)
     colours, mapped = reflected.colours, reflected.mapped
     conductor = fit_conductor(reflected, formula, metric, target_lab)
     constants, record = reflected.constants, reflected.preset
@@ -148,17 +135,44 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
         conductor=conductor, f82=f82,
         fresnel=curve,
         gamut=reflected.gamut, normal_rgb=tuple(mapped[AT_NORMAL].tolist()),
-        diffuse_rgb=tuple(diffuse_colour(reflected).tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
-        adapted=viewing.adapt, specular=record.specular, slopes=record.slopes,
-        distribution=record.distribution, white=tuple(viewing.weights.sum(axis=0).tolist()),
+        adapted=viewing.adapt, white=tuple(viewing.weights.sum(axis=0).tolist()),
         estimated=record.estimated)
 
 
+def bake_with_index(preset, n, k, **viewing):
+    """The Bake of a material whose n and k, ``(3,)`` each, someone has changed, for the exact equation.
+
+    preset, viewing  as :func:`bake` has them
+
+    Colours, curve and F82 are those of n and k; the differences stay those from the measurement.
+
+    >>> glass = bake_with_index("copper", (1.5,) * 3, (0.0,) * 3)
+    >>> [round(x, 3) for x in glass.f0], glass.conductor.delta_e_2000_max > 20.0
+    ([0.04, 0.04, 0.04], True)
+    """
+    found, space = require_measured(preset), viewing.get("space", Viewing.space)
+    reflected, _, target_lab, _, _ = _whatever_the_formula(found, Viewing(**viewing), False)
+    rgb = fresnel.conductor(ANGLES[:, None], np.array(n), np.array(k))
+    changed_lab = lab(rgb, space)
+    metric = colour_metric(rgb[FITTED], changed_lab[FITTED], space)
+    f82 = fit_f82(reflected._replace(colours=rgb, mapped=rgb), metric, changed_lab[COMPARED])
+    f82 = f82._replace(delta_e_2000_max=largest_delta_e(
+        fresnel.f82(ANGLES[COMPARED, None], np.array(f82.f0), np.array(f82.tint)), target_lab, space))
+    conductor = ConductorFit(tuple(n), tuple(k), "exact", largest_delta_e(rgb[COMPARED], target_lab, space))
+    chosen = knots(COS_THETA, rgb[:len(COS_THETA)], CURVE_TOLERANCE)
+    return bake(found, **viewing)._replace(
+        conductor=conductor, f82=f82, f0=tuple(rgb[AT_NORMAL].tolist()), normal_rgb=tuple(rgb[AT_NORMAL].tolist()),
+        f82_tint=tuple(fresnel.f82_tint_of(rgb[AT_NORMAL], rgb[AT_82]).tolist()),
+        fresnel=FresnelCurve(tuple(COS_THETA[chosen].tolist()), tuple(map(tuple, rgb[chosen].tolist()))),
+        gamut=GamutReport(False, viewing.get("gamut", Viewing.gamut), 0.0),
+        best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82")
+
+
 @functools.lru_cache(maxsize=4)
-def _whatever_the_formula(preset, viewing, from_normal_reflectance):
+def _whatever_the_formula(found, viewing, from_normal_reflectance):
     """(Reflected, metric, Lab to hold fits against, F82Fit, FresnelCurve); kept, as a material is baked for two."""
-    reflected = reflect(preset, viewing, from_normal_reflectance)
+    reflected = reflect(found, viewing, from_normal_reflectance)
     target_lab = lab(reflected.mapped, viewing.space)
     metric = colour_metric(reflected.mapped[FITTED], target_lab[FITTED], viewing.space)
     target_lab = target_lab[COMPARED]

@@ -7,11 +7,11 @@ import numpy as np
 from ..errors import FacetFilmError, choice, numbers_of
 from ..reflectance import fresnel
 from ..spectra import names, optical_constants
-from ..spectra.search import search
+from ..catalogue.resolving import resolve_widely
 from .baking import CURVE_TOLERANCE, FORMULAS, FresnelCurve, plain
 from .colour import delta_e_2000, lab
 from .curve import knots
-from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, material, reflect
+from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
 
 __all__ = ["Check", "check", "Measurement", "Spread", "spread"]
 
@@ -54,10 +54,10 @@ def check(against, *, n=None, k=None, f0=None, tint=None, preset=None, formula="
           illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut="desaturate"):
     """The Check of n and k, of F0 and F82 tint, or of a material, against a measured material.
 
-    against  a preset's name, a dataset's id or OpticalConstants
+    against  what names a material: see addon.catalogue.resolving
     n, k     RGB, ``(3,)`` each, n above 0, k at or above 0; evaluated by the formula "exact" or "blender-4.5"
     f0, tint RGB, ``(3,)`` each, in [0, 1]; the tint is 1 where it is not given
-    preset   a preset's name, a dataset's id or OpticalConstants
+    preset   what names a material: see addon.catalogue.resolving
 
     One of n with k, f0, and preset is given.  Colours of materials are those
     after gamut mapping: what can be rendered.  Raises FacetFilmError otherwise.
@@ -177,24 +177,16 @@ def spread(what, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
 
 
 def _dataset_of(what):
-    """The dataset of a preset, of an id, or of the best that a search finds."""
-    try:
-        preset, constants = material(what)
-        dataset = constants.dataset
-    except FacetFilmError:
-        worded = isinstance(what, str) and what.count("/") < 2
-        found = [entry for entry in search(what, 20) if entry.dataset] if worded else ()
-        if not found:
-            raise
-        return found[0].dataset
+    """The dataset of whatever names a material, or of the best that a search finds."""
+    preset, constants = resolve_widely(what)
     if not preset.dataset:
         raise FacetFilmError("{preset} has no dataset of the database, so there is nothing to compare: its "
                              "values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.",
                              preset=preset.title)
-    if dataset not in optical_constants.dataset_ids():
-        raise FacetFilmError(
-            "{dataset!r} is no dataset of the database; name one, or a material of it.", dataset=dataset or what)
-    return dataset
+    if constants.dataset not in optical_constants.dataset_ids():
+        raise FacetFilmError("{dataset!r} is no dataset of the database; name one, or a material of it.",
+                             dataset=constants.dataset or what)
+    return constants.dataset
 
 
 def _same_material(dataset):

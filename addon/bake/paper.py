@@ -10,10 +10,11 @@ import dataclasses
 
 import numpy as np
 
+from ..catalogue.resolving import require_measured
 from ..reflectance import fresnel
 from ..spectra import observers
 from .colour import delta_e_2000, lab
-from .reflected import Viewing, material, mirror_spectra
+from .reflected import Viewing, mirror_spectra
 
 __all__ = ["Way", "Ways", "ways", "DEGREES", "SAMPLED_NM"]
 
@@ -74,7 +75,7 @@ def ways(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     0.0
     """
     viewing = Viewing(illuminant, observer, space, adapt)
-    record, constants = material(preset)
+    record, constants = require_measured(preset)
     n, k = constants.at(observers.WAVELENGTH_NM)
     cos_theta = np.cos(np.radians(DEGREES))
     c = cos_theta[:, None]

@@ -5,15 +5,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import FacetFilmError, choice
+from ..catalogue.presets import Preset
+from ..catalogue.resolving import require_measured
+from ..errors import choice
 from ..reflectance import fresnel
-from ..spectra import illuminants, names, observers, optical_constants, presets
+from ..spectra import illuminants, observers, optical_constants
 from .colour import SPACES, rgb_to_xyz, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
 __all__ = [
-    "Viewing", "Reflected", "reflect", "mirror_spectra", "material", "check_named", "diffuse_colour",
-    "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED",
+    "Viewing", "Reflected", "reflect", "mirror_spectra", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED",
 ]
 
 COS_THETA = np.concatenate([
@@ -71,7 +72,7 @@ class Viewing:
 class Reflected(NamedTuple):
     """A material's mirror: its spectrum of n and k, and its colours at ANGLES.
 
-    preset     the Preset
+    preset     the addon.catalogue.presets.Preset
     constants  the OpticalConstants
     viewing    the Viewing
     n, k       at 360 to 780 nm, ``(421,)`` each
@@ -81,7 +82,7 @@ class Reflected(NamedTuple):
     gamut      the GamutReport
     """
 
-    preset: presets.Preset
+    preset: Preset
     constants: optical_constants.OpticalConstants
     viewing: Viewing
     n: np.ndarray
@@ -98,7 +99,7 @@ class Reflected(NamedTuple):
 
 
 def reflect(what, viewing=None, from_normal_reflectance=False):
-    """The Reflected of a preset's name, a dataset's id or OpticalConstants.
+    """The Reflected of whatever :func:`addon.catalogue.resolving.resolve` understands and was measured.
 
     viewing                  a Viewing; by default Viewing()
     from_normal_reflectance  the paper's way where only the normal reflectance
@@ -112,7 +113,7 @@ def reflect(what, viewing=None, from_normal_reflectance=False):
     [0.932, 0.623, 0.522]
     """
     viewing = viewing or Viewing()
-    preset, constants = material(what)
+    preset, constants = require_measured(what)
     n, k = constants.at(observers.WAVELENGTH_NM)
     from_normal_reflectance = from_normal_reflectance or constants.normal_only
     colours = mirror_spectra(ANGLES, n, k, from_normal_reflectance) @ viewing.weights
@@ -130,61 +131,3 @@ def mirror_spectra(cos_theta, n, k, from_normal_reflectance=False):
     if from_normal_reflectance:
         return fresnel.dielectric_from_normal(c, fresnel.conductor(1.0, n, k))
     return fresnel.conductor(c, n, k)
-
-
-def material(what):
-    """(Preset, OpticalConstants) of a preset's name, a dataset's id or OpticalConstants.
-
-    Raises FacetFilmError with the nearest names.
-
-    >>> material("main/Cu/Johnson")[0].kind
-    'metal'
-    """
-    if isinstance(what, optical_constants.OpticalConstants):
-        return _unnamed(what), what
-    if isinstance(what, str) and "/" in what:
-        constants = optical_constants.load(what)
-        return _unnamed(constants), constants
-    check_named(what)
-    try:
-        preset = presets.find(what)
-    except FacetFilmError:
-        from ..spectra.search import search
-        fitting = search(what, 4, guess=False) if what.strip() else []
-        if not fitting:
-            raise
-        some = ", ".join(repr(found.id) for found in fitting[:3]) + (", …" if len(fitting) > 3 else "")
-        raise FacetFilmError("preset {preset!r} is unknown; what fits these words: {found}.",
-                             preset=what, found=some) from None
-    return preset, presets.constants(preset)
-
-
-def check_named(what):
-    """Raise FacetFilmError for anything that can be no material: neither a name nor OpticalConstants."""
-    if not isinstance(what, (str, optical_constants.OpticalConstants)):
-        raise FacetFilmError("A material is a preset's name or a dataset's id, not {value!r}.", value=what)
-
-
-def _unnamed(constants):
-    mean_k = float(constants.at(observers.WAVELENGTH_NM)[1].mean())
-    kind = names.kind_of(constants.dataset, mean_k) if constants.dataset.count("/") >= 2 else "measured"
-    return presets.Preset(constants.dataset, constants.title or constants.dataset, kind, constants.dataset)
-
-
-def diffuse_colour(reflected):
-    """π·Rd of a material's preset, ``(3,)``: its own numbers, or a normal reflectance.
-
-    Cook and Torrance 1982, section "The reflectance model".
-
-    >>> diffuse_colour(reflect("figure_6a")).round(3).tolist()
-    [0.932, 0.623, 0.522]
-    """
-    source, viewing = reflected.preset.diffuse, reflected.viewing
-    if source == "specular":
-        return reflected.mapped[AT_NORMAL]
-    if isinstance(source, str):
-        n, k = optical_constants.load(source).at(observers.WAVELENGTH_NM)
-        rgb = fresnel.conductor(1.0, n, k) @ viewing.weights
-    else:
-        rgb = np.linalg.solve(rgb_to_xyz(viewing.space), rgb_to_xyz("Rec.709") @ np.array(source, float))
-    return viewing.map(rgb)[0]

@@ -2,7 +2,7 @@
 
 import bpy
 
-__all__ = ["conductor_formula", "working_space", "enable_nodes", "eevee_engine", "is_unused_newcomer"]
+__all__ = ["conductor_formula", "renderer", "working_space", "enable_nodes", "eevee_engine", "is_unused_newcomer"]
 
 
 def conductor_formula():
@@ -28,6 +28,12 @@ def working_space():
         if space in name:
             return space
     return "Rec.709"
+
+
+def renderer():
+    """What decides which numbers a material needs here, as an addon.models.model.Renderer."""
+    from ..models.model import Renderer
+    return Renderer(conductor_formula(), working_space())
 
 
 def enable_nodes(material):

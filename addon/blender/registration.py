@@ -2,17 +2,21 @@
 
 import bpy
 
-from . import (asset_library, bake_operator, check_operator, data_operators, load_ahead, material_panel,
-               measurement_panel, node_menu, node_sidebar, picker, preferences, realisation_operator,
-               rebake_all_operator, settings, thumbnails, translations, updates, user_presets, verify_operator)
+from . import settings, translations
+from .assets import imported, library, thumbnails
+from .datablocks import groups, menu
+from .operators import (add_group, apply_to_node, asset_library, bake, check, data, realisation, rebake_all, update,
+                        user_presets, verify)
+from .panels import asset_library as asset_library_panel
+from .panels import load_ahead, material, measurement, node_menu, node_sidebar, picker, preferences, versions
 
 __all__ = ["register", "unregister"]
 
-CLASSES = (*settings.CLASSES, *bake_operator.CLASSES, *realisation_operator.CLASSES, *data_operators.CLASSES,
-           *check_operator.CLASSES, *rebake_all_operator.CLASSES, *user_presets.CLASSES, *material_panel.CLASSES,
-           *updates.CLASSES, *measurement_panel.CLASSES, *material_panel.LAST_CLASSES, *asset_library.CLASSES,
-           *node_menu.CLASSES, *node_sidebar.CLASSES, *verify_operator.CLASSES, *preferences.CLASSES)
-ATTACHED = (translations, settings, material_panel, node_menu)
+CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *data.CLASSES, *check.CLASSES, *rebake_all.CLASSES,
+           *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES,
+           *verify.CLASSES, *material.CLASSES, *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES,
+           *asset_library_panel.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
+ATTACHED = (translations, settings, material, node_menu, imported)
 COMMAND = "facet_film"
 _commands = []
 
@@ -31,10 +35,10 @@ def unregister():
     bpy.utils.unregister_cli_command(_commands.pop())
     for module in reversed(ATTACHED):
         module.detach()
-    load_ahead.forget()
-    picker.forget()
+    for module in (load_ahead, picker, groups, menu):
+        module.forget()
     thumbnails.clear()
-    asset_library.detach()
+    library.detach()
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
 

@@ -1,25 +1,16 @@
-"""What the panels remember between clicks: the preset, model, realisation and light to apply next."""
+"""What the panels remember between clicks: the preset, realisation and light to apply next."""
 
 import functools
 
 import bpy
 
-from . import picker
+from ..models.model import REALISATIONS
+from .panels import picker
 
-__all__ = ["CLASSES", "MODEL_ITEMS", "REALISATION_ITEMS", "Viewing", "attach", "chosen_preset", "copy_viewing", "detach",
-           "preset_property", "realisation_property", "search_measured", "viewing_of"]
+__all__ = ["CLASSES", "Viewing", "attach", "copy_viewing", "detach", "preset_property", "realisation_property",
+           "search_presets", "viewing_of"]
 
-MODEL_ITEMS = (
-    ("cook_torrance", "Cook–Torrance", "Facets with rms slope m, conductor Fresnel, diffuse part (1982)"),
-    ("layered_rgb", "Layered RGB", "Interference and colour separation in a thin layer (Granier and Heidrich)"),
-)
-REALISATION_ITEMS = (
-    ("fast", "Fast", "Native closures: light-sampled, on every device, and in EEVEE"),
-    ("exact", "Exact", "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast"),
-    ("osl", "OSL", "The published formula itself as an OSL script: needs Open Shading Language switched on in "
-                   "Render properties, on the CPU or OptiX; EEVEE shows Fast"),
-    ("osl_fast", "OSL Fast", "Native closures from an OSL script: needs Open Shading Language switched on"),
-)
+REALISATION_ITEMS = [(name, found.title, found.tip) for name, found in REALISATIONS.items()]
 OBSERVER_ITEMS = (
     ("1931", "CIE 1931, 2°", "Small fields of view; what displays are calibrated for"),
     ("1964", "CIE 1964, 10°", "Large fields of view"),
@@ -39,33 +30,21 @@ GAMUT_ITEMS = (
 SAME_AS_FILE = "FILE"
 
 
-def _search(settings, _context, text):
-    return picker.lines(settings.model, text)
-
-
-def search_measured(_settings, _context, text):
+def search_presets(_settings, _context, text):
     """What a text property lists while one types: presets and datasets with their titles."""
-    return picker.lines("cook_torrance", text)
+    return picker.lines(text)
 
 
-def _search_layered(_settings, _context, text):
-    return picker.lines("layered_rgb", text)
-
-
-def _drop_title(attribute):
+def _drop_title(properties, _context):
     """Keep the name alone of what was chosen from the list."""
-    def update(properties, _context):
-        chosen = getattr(properties, attribute)
-        if picker.name_in(chosen) != chosen:
-            setattr(properties, attribute, picker.name_in(chosen))
-    return update
+    if picker.name_in(properties.preset) != properties.preset:
+        properties.preset = picker.name_in(properties.preset)
 
 
-def preset_property(search=_search, default="copper", attribute="preset"):
-    """A text property that offers presets and datasets while one types."""
+def preset_property():
+    """A text property `preset` that offers presets and datasets while one types."""
     return bpy.props.StringProperty(
-        name="Preset", default=default, search=search, search_options={"SUGGESTION"},
-        update=_drop_title(attribute),
+        name="Preset", default="copper", search=search_presets, search_options={"SUGGESTION"}, update=_drop_title,
         description="Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search")
 
 
@@ -114,40 +93,30 @@ def copy_viewing(source, target):
         setattr(target, name, getattr(source, name))
 
 
-def _thumbnails_of(model, attribute):
-    """A preset by its picture, beside the property that holds its name."""
-    def items(settings, _context):
-        return picker.thumbnail_items(model, settings.kind, getattr(settings, attribute))
+def _thumbnails(settings, _context=None):
+    return picker.thumbnail_items(settings.kind, settings.preset)
 
-    def get(settings):
-        chosen = getattr(settings, attribute)
-        return next(item[4] for item in items(settings, None) if item[0] == chosen)
 
-    def put(settings, number):
-        setattr(settings, attribute, items(settings, None)[number][0])
+def _chosen_thumbnail(settings):
+    return next(item[4] for item in _thumbnails(settings) if item[0] == settings.preset)
 
-    return bpy.props.EnumProperty(name="Presets", items=items, get=get, set=put,
-                                  description="Preset by its picture; the filter beside the name chooses the kind")
+
+def _choose_thumbnail(settings, number):
+    settings.preset = _thumbnails(settings)[number][0]
 
 
 class FacetFilmSettings(Viewing, bpy.types.PropertyGroup):
     """Choices of the Facet & Film panels."""
 
-    preset: preset_property(search_measured)
-    layered_preset: preset_property(_search_layered, "nacre", "layered_preset")
-    thumbnail: _thumbnails_of("cook_torrance", "preset")
-    layered_thumbnail: _thumbnails_of("layered_rgb", "layered_preset")
+    preset: preset_property()
+    thumbnail: bpy.props.EnumProperty(
+        name="Presets", items=_thumbnails, get=_chosen_thumbnail, set=_choose_thumbnail,
+        description="Preset by its picture; the filter beside the name chooses the kind")
     kind: bpy.props.EnumProperty(name="Kind", items=picker.KIND_ITEMS, description="Which presets to show pictures of")
-    model: bpy.props.EnumProperty(name="Model", items=MODEL_ITEMS, description="Reflectance model")
     realisation: realisation_property()
 
 
 CLASSES = (FacetFilmSettings,)
-
-
-def chosen_preset(settings, model=None):
-    """The name of the preset chosen for a model, by default the one that is chosen."""
-    return settings.layered_preset if (model or settings.model) == "layered_rgb" else settings.preset
 
 
 def attach():

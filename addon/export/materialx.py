@@ -17,18 +17,20 @@ COLOUR_SPACES = {"Rec.709": "lin_rec709", "Rec.2020": "lin_rec2020", "ACEScg": "
 """MaterialX's names; Rec.2020 is not in its standard list, applications know it by their own."""
 
 
-def materialx(bake, *, roughness=None):
+def materialx(bake, *, slopes, specular=1.0, diffuse=(0.0, 0.0, 0.0)):
     """MaterialX 1.39 text with two materials of a Bake, "NAME_conductor" and "NAME_f82".
 
     bake       a Bake whose n and k are for the formula "exact", which MaterialX evaluates
-    roughness  one rms slope m in place of the bake's slopes
+    slopes     (m, w) pairs: rms slope of the facets, and its share
+    specular   the mirror's share s; the rest is diffuse
+    diffuse    linear RGB of π·Rd
 
     color82 of generalized_schlick_bsdf is the F82 tint: a factor on Schlick's
     curve at cos θ = 1/7, as in Kutz, Hašan and Edmondson 2021.  Raises
     FacetFilmError for n and k that are for another formula.
 
     >>> from addon.bake import bake
-    >>> "generalized_schlick_bsdf" in materialx(bake("copper"))
+    >>> "generalized_schlick_bsdf" in materialx(bake("copper"), slopes=[(0.2, 1.0)])
     True
     """
     if bake.conductor.formula != "exact":
@@ -36,13 +38,13 @@ def materialx(bake, *, roughness=None):
                              f"for {bake.conductor.formula!r}; bake with the formula 'exact'.")
     root = ElementTree.Element("materialx", version="1.39", colorspace=COLOUR_SPACES[bake.space])
     root.append(ElementTree.Comment(" " + _comment(bake) + " "))
-    slopes = bake.slopes if roughness is None else ((roughness, 1.0),)
     name = re.sub(r"\W", "_", bake.name, flags=re.ASCII)
     name = name if re.match("[A-Za-z]", name) else "material_" + name
-    _material(root, f"{name}_conductor", "conductor_bsdf", bake, slopes, [
+    surface = (slopes, specular, diffuse)
+    _material(root, f"{name}_conductor", "conductor_bsdf", surface, [
         ("ior", "color3", bake.conductor.n, {"colorspace": "none"}),
         ("extinction", "color3", bake.conductor.k, {"colorspace": "none"})])
-    _material(root, f"{name}_f82", "generalized_schlick_bsdf", bake, slopes, [
+    _material(root, f"{name}_f82", "generalized_schlick_bsdf", surface, [
         ("color0", "color3", bake.f82.f0, {}),
         ("color82", "color3", bake.f82.tint, {}),
         ("color90", "color3", (1.0, 1.0, 1.0), {}),
@@ -58,17 +60,17 @@ def _comment(bake):
     return re.sub("-{2,}", "-", " ".join(printable.split())).strip("-")
 
 
-def _material(root, name, mirror, bake, slopes, fresnel):
+def _material(root, name, mirror, surface, fresnel):
     """Append one material: its lobes, their sum, surface and surfacematerial."""
+    slopes, specular, diffuse = surface
     lobes = []
     for j, (m, w) in enumerate(slopes, 1):
-        inputs = [("weight", "float", (bake.specular * w,), {}), *fresnel,
+        inputs = [("weight", "float", (specular * w,), {}), *fresnel,
                   ("roughness", "vector2", (m, m), {})]
         lobes.append(_node(root, mirror, f"{name}_lobe_{j}", "BSDF", inputs))
-    if bake.specular < 1.0:
-        diffuse = tuple(min(max(channel, 0.0), 1.0) for channel in bake.diffuse_rgb)
+    if specular < 1.0:
         lobes.append(_node(root, "oren_nayar_diffuse_bsdf", f"{name}_diffuse", "BSDF", [
-            ("weight", "float", (1.0 - bake.specular,), {}), ("color", "color3", diffuse, {})]))
+            ("weight", "float", (1.0 - specular,), {}), ("color", "color3", diffuse, {})]))
     total = lobes[0]
     for j, lobe in enumerate(lobes[1:], 1):
         total = _linked(root, "add", f"{name}_sum_{j}", "BSDF", "BSDF", in1=total, in2=lobe)

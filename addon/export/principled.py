@@ -8,7 +8,7 @@ LARGEST_DIELECTRIC_K = 0.1
 """k below which F is a dielectric's: k² is less than 0.2 % of (n+1)² there."""
 
 
-def principled_settings(bake):
+def principled_settings(bake, *, slopes, specular=1.0, diffuse=(0.0, 0.0, 0.0)):
     """Values for the sockets of a Principled BSDF, by identifier.
 
     A conductor: metallic = s, base colour = F0 and specular tint = F82 tint as
@@ -20,20 +20,23 @@ def principled_settings(bake):
     colour = d·(π Rd).
     Roughness = √m, m² = Σ wj mj²: the rms slope of all facets together.
 
-    bake  a Bake
+    bake      a Bake
+    slopes    (m, w) pairs: rms slope of the facets, and its share
+    specular  the mirror's share s
+    diffuse   linear RGB of π·Rd
 
     >>> from addon.bake import bake
-    >>> principled_settings(bake("copper"))["Metallic"]
+    >>> principled_settings(bake("copper"), slopes=[(0.2, 1.0)])["Metallic"]
     1.0
     """
-    slope = sum(w * m * m for m, w in bake.slopes) ** 0.5
+    slope = sum(w * m * m for m, w in slopes) ** 0.5
     roughness = min(slope ** 0.5, 1.0)
     if max(bake.conductor.k) < LARGEST_DIELECTRIC_K:
         mean_f0 = sum(bake.normal_rgb) / 3.0
-        base = [(1.0 - bake.specular) * min(max(channel, 0.0), 1.0) for channel in bake.diffuse_rgb]
+        base = [(1.0 - specular) * channel for channel in diffuse]
         return {"Base Color": (*base, 1.0), "Metallic": 0.0, "Roughness": roughness,
-                "IOR": float(index_from_normal(mean_f0)), "Specular IOR Level": 0.5 * bake.specular,
+                "IOR": float(index_from_normal(mean_f0)), "Specular IOR Level": 0.5 * specular,
                 "Specular Tint": (1.0, 1.0, 1.0, 1.0)}
-    return {"Base Color": (*bake.f82.f0, 1.0), "Metallic": float(bake.specular), "Roughness": roughness,
-            "Specular IOR Level": 0.5 if bake.specular == 1.0 else 0.0,
+    return {"Base Color": (*bake.f82.f0, 1.0), "Metallic": float(specular), "Roughness": roughness,
+            "Specular IOR Level": 0.5 if specular == 1.0 else 0.0,
             "Specular Tint": (*bake.f82.tint, 1.0)}

@@ -13,6 +13,7 @@ import numpy as np
 
 from .layout import arrange
 from .operand import NodeOperand
+from .osl_compiler import compile_script, text_of
 
 __all__ = ["GroupBuilder"]
 
@@ -41,7 +42,7 @@ class GroupBuilder:
     """One shader node group under construction.
 
     >>> builder = GroupBuilder("Example")                                  # doctest: +SKIP
-    >>> m = builder.input("Slope", 0.3, minimum=0.0, description="rms slope m")  # doctest: +SKIP
+    >>> m = builder.input(Socket("Slope", "m", "FLOAT", 0.3, "rms slope m"))  # doctest: +SKIP
     >>> builder.output("Twice", 2.0 * m)                                   # doctest: +SKIP
     >>> tree = builder.finish()                                            # doctest: +SKIP
     """
@@ -58,23 +59,22 @@ class GroupBuilder:
 
     # --- the group's interface ---
 
-    def input(self, name, default=None, kind="FLOAT", *, minimum=None, maximum=None, subtype=None,
-              description="", panel=None, hide_value=False, never_zero=False):
-        """A new input socket of the group, as an operand; never_zero promises that no product with it folds away."""
-        parent = self._panel(panel) if panel else None
-        item = self.tree.interface.new_socket(
-            name, description=description, in_out="INPUT", socket_type=SOCKET_TYPES[kind], parent=parent)
-        if subtype:
-            item.subtype = subtype
-        for attribute, value in (("min_value", minimum), ("max_value", maximum)):
+    def input(self, socket):
+        """A new input of the group as an :class:`addon.models.parameters.Socket` describes it, as an operand."""
+        parent = self._panel(socket.panel) if socket.panel else None
+        item = self.tree.interface.new_socket(socket.name, description=socket.tip, in_out="INPUT",
+                                              socket_type=SOCKET_TYPES[socket.kind], parent=parent)
+        if socket.subtype:
+            item.subtype = socket.subtype
+        for attribute, value in (("min_value", socket.low), ("max_value", socket.high)):
             if value is not None:
                 setattr(item, attribute, value)
-        if default is not None:
-            item.default_value = (*default, 1.0) if kind == "COLOR" else default
-        item.hide_value = hide_value
-        if never_zero:
-            self._lasting.add(name)
-        return NodeOperand(self, "VECTOR" if kind == "COLOR" else kind, name)
+        if socket.default is not None:
+            item.default_value = (*socket.default, 1.0) if socket.kind == "COLOR" else socket.default
+        item.hide_value = socket.plugged
+        if socket.never_zero:
+            self._lasting.add(socket.name)
+        return NodeOperand(self, "VECTOR" if socket.kind == "COLOR" else socket.kind, socket.name)
 
     def output(self, name, operand, kind=None, description=""):
         """A new output socket of the group, fed by the operand."""
@@ -138,6 +138,22 @@ class GroupBuilder:
     def incoming(self):
         """V, the unit direction from the surface to the viewer."""
         return self.node("ShaderNodeNewGeometry", output="Incoming")
+
+    def script(self, file, values):
+        """The closure of an OSL script, whose parameters bear the names of the group's inputs without their spaces.
+
+        file    path of the source, which travels in the file as a text
+        values  {parameter: value} of those that are no input
+        """
+        node = self._new_node("ShaderNodeScript", {"mode": "INTERNAL"})
+        node.script = text_of(file)
+        compile_script(node)
+        for item in self.tree.interface.items_tree:
+            if item.item_type == "SOCKET" and item.in_out == "INPUT":
+                self.connect(socket_of(node.inputs, item.name.replace(" ", "")), NodeOperand(self, "FLOAT", item.name))
+        for name, value in values.items():
+            socket_of(node.inputs, name).default_value = value
+        return NodeOperand(self, "SHADER", socket_of(node.outputs, "BSDF"))
 
     def add_shaders(self, *shaders):
         """Sum of closures."""

@@ -4,6 +4,7 @@ For any shader that takes a colour.  F is looked up at N.V, where a microfacet
 model has it at V.H: the same for a mirror, an approximation for rough surfaces.
 """
 
+from ..models.parameters import Direction
 from ..operands import absolute, clip, dot, vector
 from .builder import GroupBuilder
 
@@ -17,16 +18,16 @@ CURVE_NODE = "Baked Fresnel"
 def build():
     """The node group, newly built, with a straight line for a curve: see :func:`set_curve`."""
     builder = GroupBuilder(NAME)
-    socket = builder.input("Normal", kind="VECTOR", hide_value=True,
-                           description="Shading normal; the surface's own where nothing is plugged in")
+    normal, = Direction(name="normal", socket="Normal",
+                        tip="Shading normal; the surface's own where nothing is plugged in").sockets()
+    socket = builder.input(normal)
     with builder.frame("cos θ = N·V"):
         cos_theta = clip(absolute(dot(builder.normal(socket), builder.incoming())), 0.0, 1.0)
     with builder.frame("F(θ)"):
         curve = builder.node("ShaderNodeRGBCurve", {"Color": vector(cos_theta, cos_theta, cos_theta)},
                              label=CURVE_NODE)
     builder.output("Color", curve, "COLOR", description="Reflectance at this angle")
-    tree = builder.finish()
-    return tree
+    return builder.finish()
 
 
 def curve_node(tree):

@@ -8,7 +8,7 @@ import bpy
 
 from ..errors import FacetFilmError
 
-__all__ = ["compile_script", "why_no_osl"]
+__all__ = ["compile_script", "require_osl", "text_of", "why_no_osl"]
 
 
 def compile_script(node):
@@ -16,13 +16,30 @@ def compile_script(node):
 
     Raises FacetFilmError with the compiler's words, or where this Blender has no OSL.
     """
-    reason = why_no_osl()
-    if reason:
-        raise FacetFilmError(reason)
+    require_osl()
     from cycles import osl
     said = []
     if not osl.update_script_node(node, lambda _level, message: said.append(message)):
         raise FacetFilmError("The shader {shader} does not compile: {why}", shader=node.script.name, why="; ".join(said))
+
+
+def text_of(file):
+    """The source of a script as a text of the open file, the same one for the same source."""
+    contents = Path(file).read_text(encoding="utf-8")
+    name = Path(file).name
+    for text in bpy.data.texts:
+        if text.name.startswith(name) and text.as_string() == contents:
+            return text
+    text = bpy.data.texts.new(name)
+    text.write(contents)
+    return text
+
+
+def require_osl():
+    """Raise FacetFilmError where this Blender cannot compile OSL."""
+    reason = why_no_osl()
+    if reason:
+        raise FacetFilmError(reason)
 
 
 def why_no_osl():

@@ -61,8 +61,8 @@ class Outcome:
 class Check:
     """One thing that is rendered and held against its formula.
 
-    model        "cook_torrance", "layered_rgb", or "data"
-    realisation  one of addon.parameters.REALISATIONS, or "" for what is not rendered
+    model        name of a model, or "data"
+    realisation  one of addon.models.model.REALISATIONS, or "" for what is not rendered
     name         unique among the checks of a model and realisation
     what         what is compared with what, in a sentence
     measure      function(realisation, parameters of the material, parameters of the formula) -> Outcome

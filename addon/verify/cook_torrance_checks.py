@@ -6,9 +6,9 @@ import numpy as np
 
 from .. import api
 from ..blender import compat
-from ..reflectance import cook_torrance as ct
+from ..models.cook_torrance import formulas as ct
 from ..reflectance import fresnel, masking
-from ..reflectance.albedo import cook_torrance_albedo
+from ..models.cook_torrance.albedo import cook_torrance_albedo
 from . import cook_torrance_scenes as probes
 from . import scenes
 from .checks import Check, Figure, Outcome, Picture

@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from ..reflectance import cook_torrance as ct
+from ..models.cook_torrance import formulas as ct
 from . import scenes
 
 __all__ = ["COPPER", "FIGURE_6B", "FURNACE_ANGLES", "furnace", "tile_means", "times_cosine", "sun_reference", "LAMPS",

@@ -7,7 +7,7 @@ from ..bake import bake
 from ..bake.colour import delta_e_2000, lab
 from ..bake.reflected import reflect
 from ..blender import compat
-from ..spectra import presets
+from ..catalogue import presets
 from . import scenes
 from .checks import Check, Figure, Outcome, Picture
 
@@ -36,11 +36,16 @@ def checks(realisations):
     return found
 
 
+def measured_presets():
+    """The presets that have a spectrum."""
+    return [preset for preset in presets.all_presets().values() if preset.measured]
+
+
 def table_of_presets():
     """(name, kind, dataset, largest CIEDE2000 of n and k, by this Blender's own equation, of F0 and F82) of each."""
     native = compat.conductor_formula()
     rows = []
-    for preset in presets.all_presets().values():
+    for preset in measured_presets():
         exact = bake(preset.name, formula="exact")
         own = exact if native == "exact" else bake(preset.name, formula=native)
         rows.append((preset.title, preset.kind, exact.source.dataset, exact.conductor.delta_e_2000_max,

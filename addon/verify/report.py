@@ -2,6 +2,7 @@
 
 import html
 
+from ..models import all_models
 from .pictures import data_url, strip
 
 __all__ = ["verdict", "page", "unfinished", "table_text"]
@@ -18,7 +19,9 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 img { image-rendering: pixelated; display: block; } small { color: #666; }
 details { margin-top: 1rem; } summary { cursor: pointer; }
 """
-MODELS = {"cook_torrance": "Cook–Torrance", "layered_rgb": "Layered RGB", "data": "Measured data"}
+def _titles():
+    """{group of checks: its heading}."""
+    return {**{model.name: model.title for model in all_models()}, "data": "Measured data"}
 
 
 def verdict(results, facts):
@@ -62,7 +65,7 @@ def page(results, facts, presets, left_out=()):
     if left_out:
         parts.append("<p>Not run: " + "; ".join(f"{html.escape(r)} ({html.escape(why)})" for r, why in left_out)
                      + ".</p>")
-    for model, title in MODELS.items():
+    for model, title in _titles().items():
         of_model = [result for result in results if result[0].model == model]
         if of_model:
             parts += [f"<h2>{title}</h2>", _checks(of_model)]

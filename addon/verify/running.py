@@ -1,36 +1,53 @@
 """Runs the checks one after the other and writes the report.  Blender is imported when it starts."""
 
+import importlib.util
 import json
 import os
 import platform
 import sys
 import time
 
+from .. import models
 from ..errors import FacetFilmError, choice
-from ..parameters import REALISATIONS
+from ..models.model import REALISATIONS
 
-__all__ = ["checks", "verify", "GROUPS", "DEVICES", "REPORT"]
+__all__ = ["checks", "groups", "verify", "DEVICES", "REPORT"]
 
-GROUPS = ("cook_torrance", "layered_rgb", "data")
 DEVICES = ("CPU", "GPU")
 REPORT = "facet_film_verification.html"
-OSL = ("osl", "osl_fast")
+DATA = "data"
+
+
+def groups():
+    """The names of the groups of checks: one a model, and that of the measured data."""
+    return (*models.names(), DATA)
 
 
 def checks(only=None):
     """(the checks that this Blender can run, (realisation, reason) of what it cannot).
 
-    only  one of GROUPS, or None for all
+    only  one of groups(), or None for all
     """
     _require_blender()
     from ..nodes.osl_compiler import why_no_osl
-    from . import cook_torrance_checks, data_checks, layered_checks
-    modules = {"cook_torrance": cook_torrance_checks, "layered_rgb": layered_checks, "data": data_checks}
     reason = why_no_osl()
-    realisations = [name for name in REALISATIONS if not (reason and name in OSL)]
-    groups = GROUPS if only is None else (choice("only", only, GROUPS),)
-    found = [check for group in groups for check in modules[group].checks(realisations)]
-    return found, [(name, reason) for name in OSL if reason]
+    left_out = [name for name, found in REALISATIONS.items() if reason and found.osl]
+    chosen = groups() if only is None else (choice("only", only, groups()),)
+    found = [check for group in chosen for check in _checks_of(group, left_out)]
+    return found, [(name, reason) for name in left_out]
+
+
+def _checks_of(group, left_out):
+    """A group's checks: of a model those of its own file, else those that any model has to pass."""
+    name = f"{__package__}.{group}_checks"
+    own = importlib.util.find_spec(name)
+    if group == DATA:
+        return importlib.import_module(name).checks([name for name in REALISATIONS if name not in left_out])
+    realisations = [name for name in models.named(group).realisations if name not in left_out]
+    if own is not None:
+        return importlib.import_module(name).checks(realisations)
+    from . import any_model
+    return any_model.checks(group, realisations)
 
 
 def verify(path=REPORT, *, device="CPU", only=None, record=None, say=print):
@@ -38,7 +55,7 @@ def verify(path=REPORT, *, device="CPU", only=None, record=None, say=print):
 
     path    of the HTML file
     device  "CPU", or "GPU" for those that Blender's preferences switch on
-    only    one of GROUPS, or None for all
+    only    one of groups(), or None for all
     record  path of the same as JSON, or None
     say     function that is told each line of progress
 

@@ -18,7 +18,8 @@ sys.path.insert(0, str(EXTENSION))
 import bpy  # noqa: E402
 
 from addon import api, export  # noqa: E402
-from addon.bake.reflected import material  # noqa: E402
+from addon.models.making import exported as exported_as  # noqa: E402
+from addon.models.making import made  # noqa: E402
 from addon.spectra.readers import read_file  # noqa: E402
 from addon.verify import scenes  # noqa: E402
 
@@ -26,10 +27,10 @@ from addon.verify import scenes  # noqa: E402
 def exported():
     """Write copper in every form, and bake it again from what was written."""
     baked = api.bake("copper", formula="exact")
-    forms = {"copper.json": export.bake_json(baked), "copper.csv": export.curve_csv(baked),
-             "copper.mtlx": export.materialx(baked), "spectrum.csv": export.spectrum_csv(material("copper")[1])}
-    for name, text in forms.items():
-        export.write_text(OUT / name, text)
+    record = made(preset="copper", realisation="exact")
+    for form, name in (("json", "copper.json"), ("csv", "copper.csv"), ("materialx", "copper.mtlx"),
+                       ("spectrum_csv", "spectrum.csv")):
+        export.write_text(OUT / name, exported_as(record, form))
     again = api.bake(read_file(OUT / "spectrum.csv"), formula="exact")
     return {"f0": baked.f0, "again": again.f0}
 

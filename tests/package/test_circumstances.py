@@ -117,7 +117,7 @@ from pathlib import Path
 sys.path.insert(0, sys.argv[1])
 from addon import export
 from addon.bake import bake
-texts = {form: export.bake_json(bake(form)) * 200 for form in ("copper", "gold", "silver")}
+texts = {form: export.json_text(bake(form).to_dict()) * 200 for form in ("copper", "gold", "silver")}
 print("ready", flush=True)
 for turn in itertools.count():
     for name, text in texts.items():
@@ -147,7 +147,7 @@ import sys
 sys.path.insert(0, sys.argv[1])
 import bpy
 from addon import api
-from addon.spectra.presets import names
+from addon.catalogue.presets import names
 for number, name in enumerate(names()):
     api.create_material(preset=name).use_fake_user = True
     if number % 3 == 0:

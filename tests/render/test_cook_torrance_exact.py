@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from addon import api
-from addon.reflectance import cook_torrance as ct
+from addon.models.cook_torrance import formulas as ct
 from addon.reflectance import fresnel, masking, slopes
-from addon.reflectance.albedo import cook_torrance_albedo
+from addon.models.cook_torrance.albedo import cook_torrance_albedo
 from tests.render import probes
 from tests.render import cook_torrance_scenes as scenes
 from tests.render.cook_torrance_scenes import COPPER, FIGURE_6B

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from addon import api
-from addon.blender import materials
-from addon.reflectance import layered_rgb as layered
-from addon.reflectance import layered_rgb_sampler as layered_sampler
+from addon.blender.datablocks import materials
+from addon.models.layered_rgb import formulas as layered
+from addon.models.layered_rgb import sampler as layered_sampler
 from addon.reflectance.directions import half_vector, mirrored
 from addon.reflectance.masking import v_cavity_one_side
 from addon.reflectance.slopes import beckmann, gaussian

@@ -13,19 +13,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from addon import api
+from addon import api, models
 from addon.errors import FacetFilmError
-from addon.layered_parameters import LayeredRGB
-from addon.layered_presets import PRESETS as LAYERED_PRESETS
-from addon.parameters import CookTorrance
-from addon.spectra import presets
+from addon.catalogue import presets
 from tests.render import probes
 
 PIXELS = 3
 MOST = 20.0
 """Radiance that no tile exceeds in a sky of 1 and a sun of irradiance 0.2, at energy scale."""
 
-NAMES = {"cook_torrance": list(presets.all_presets()), "layered_rgb": list(LAYERED_PRESETS)}
+NAMES = {model: [name for name, preset in presets.all_presets().items() if preset.model == model]
+         for model in models.names()}
 
 
 def tiles(make, count, osl):
@@ -113,7 +111,7 @@ def test_every_extreme_comes_up(model):
 
 # --- Anything at all as a parameter ---
 
-FIELDS = {"cook_torrance": CookTorrance, "layered_rgb": LayeredRGB}
+FIELDS = {model.name: model.parameters for model in models.all_models()}
 PARAMETERS = [(model, name) for model, fields in FIELDS.items() for name in fields.__dataclass_fields__]
 scalars = st.one_of(st.floats(), st.integers(), st.text(max_size=5), st.booleans(), st.none(),
                     st.sampled_from([math.nan, math.inf, -math.inf, -0.0, 1e308, 1e-320, "beckmann", "published", b"1"]))

@@ -5,9 +5,9 @@ import pytest
 
 from addon import api
 from addon.blender import compat
-from addon.reflectance import cook_torrance as ct
+from addon.models.cook_torrance import formulas as ct
 from addon.reflectance import fresnel, masking
-from addon.reflectance.albedo import cook_torrance_albedo
+from addon.models.cook_torrance.albedo import cook_torrance_albedo
 from tests.render import probes
 
 RESOLUTION = 64

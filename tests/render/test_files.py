@@ -8,7 +8,8 @@ import pytest
 
 import addon
 from addon import api
-from addon.blender import groups, materials, updates
+from addon.blender.datablocks import fingerprints, groups, materials
+from addon.blender.datablocks import versions as updates
 from tests.render import old_files
 
 MADE = {
@@ -85,7 +86,7 @@ def test_they_render_the_same_in_another_file(saved, tmp_path, link):
         target.materials = list(MADE)
     for name, material in zip(MADE, target.materials):
         np.testing.assert_array_equal(picture(material, tmp_path), pictures[name])
-        assert materials.record_of(material)["title"]
+        assert materials.baked_of(material)["title"]
 
 
 def test_they_are_copied_between_files_by_the_clipboard(saved, tmp_path):
@@ -101,7 +102,7 @@ def test_they_are_copied_between_files_by_the_clipboard(saved, tmp_path):
     assert bpy.ops.view3d.pastebuffer() == {"FINISHED"}
     bpy.data.objects.remove(bpy.data.objects["Ball"])
     pasted = bpy.data.materials["copper exact"]
-    assert materials.record_of(pasted)["title"] == "Copper"
+    assert materials.baked_of(pasted)["title"] == "Copper"
     np.testing.assert_array_equal(picture(pasted, tmp_path), pictures["copper exact"])
     api.create_material(preset="silver", realisation="exact")
     assert {tree.name for tree in bpy.data.node_groups} == {"Cook-Torrance Exact", "Cook-Torrance Fast"}
@@ -134,7 +135,7 @@ def test_materials_of_a_file_of_blender_4_5_can_be_worked_on(of_blender_4_5, tmp
         for name in of_blender_4_5:
             material = bpy.data.materials[name]
             model, _, realisation = name.partition(" ")
-            assert (materials.model_of(material), materials.realisation_of(material)) == (model, realisation)
+            assert (materials.model_of(material).name, materials.realisation_of(material)) == (model, realisation)
             parameters = materials.parameters_of(material)
             if realisation != "exact":
                 api.switch_realisation(material, "exact")
@@ -164,7 +165,7 @@ def older(material):
     tree = materials.our_node(material).node_tree
     tree.interface.remove(next(item for item in tree.interface.items_tree if item.name == "Gaussian c"))
     tree[groups.VERSION_KEY] = 0
-    tree[groups.FINGERPRINT_KEY] = groups.fingerprint(tree)
+    tree[groups.FINGERPRINT_KEY] = fingerprints.fingerprint(tree)
     return tree
 
 

@@ -1,13 +1,15 @@
 """The library of groups, and switching a material between realisations."""
 
+import json
+
 import bpy
 import numpy as np
 import pytest
 
 from addon import api
-from addon.blender import groups, materials
+from addon.blender.datablocks import fingerprints, groups, materials
 from tests.render import probes
-from tools.build_groups import STAMP, source_stamp
+from tools import build_groups, stamps
 
 
 @pytest.fixture(autouse=True)
@@ -15,27 +17,76 @@ def empty_file():
     bpy.ops.wm.read_factory_settings(use_empty=True)
 
 
-BUILT = [identifier for identifier, place in groups.GROUPS.items() if "osl" not in place]
+GROUPS = {group.identifier: group for group in groups.all_groups()}
+BUILT = [identifier for identifier, group in GROUPS.items() if not group.osl]
+RECORDED = json.loads(build_groups.VERSIONS.read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("identifier", BUILT)
-def test_library_is_built_from_the_sources_as_they_are(identifier):
-    """`make assets` brings it up to date."""
-    with bpy.data.libraries.load(str(groups.library_file(identifier))) as (source, target):
-        target.texts = [name for name in source.texts if name == STAMP]
-    assert target.texts[0].as_string().strip() == source_stamp()
+def test_the_library_is_current_and_holds_nothing_else():
+    assert stamps.is_current(build_groups.STAMP)
+    assert {file.stem for file in groups.LIBRARY.glob("*.blend")} == set(BUILT)
 
 
-def test_library_holds_nothing_else():
-    assert {file.stem for file in groups.LIBRARY.iterdir()} == set(BUILT)
+@pytest.mark.parametrize("module", ["addon/models/cook_torrance/parameters.py", "addon/models/cook_torrance/sampler.py",
+                                    "addon/models/parameters.py", "addon/reflectance/slopes.py", "addon/operands.py",
+                                    "addon/nodes/builder.py", "addon/models/layered_rgb/lobes.py"])
+def test_the_stamp_covers_what_building_loads(module):
+    """The modules that hold defaults, too."""
+    assert module in json.loads(build_groups.STAMP.read_text(encoding="utf-8"))["sources"]
+
+
+def test_a_stamp_is_out_of_date_once_a_source_changes(tmp_path, monkeypatch):
+    monkeypatch.setattr(stamps, "ROOT", tmp_path)
+    source, stamp = tmp_path / "source.py", tmp_path / "stamp.json"
+    source.write_text("1")
+    stamps.write(stamp, {source})
+    assert stamps.is_current(stamp)
+    monkeypatch.setattr(stamps, "blender", lambda: [4, 4])
+    assert not stamps.is_current(stamp)  # made by a newer Blender
+    monkeypatch.undo()
+    monkeypatch.setattr(stamps, "ROOT", tmp_path)
+    source.write_text("2")
+    assert not stamps.is_current(stamp)
+    assert not stamps.is_current(tmp_path / "nothing.json")
+
+
+@pytest.mark.parametrize("identifier", GROUPS)
+def test_a_group_computes_what_its_version_is_recorded_for(identifier):
+    """Raise the version in the model's __init__.py, then run `python tools/build_groups.py --record`."""
+    tree = groups.node_group(identifier)
+    now = {"version": GROUPS[identifier].version, "fingerprint": fingerprints.fingerprint(tree)}
+    assert now == RECORDED[identifier], f"{identifier}: raise the version"
+    assert not groups.edited(tree)
 
 
 @pytest.mark.parametrize("identifier", BUILT)
 def test_library_group_is_the_built_one(identifier):
     """Also where the library comes from another Blender version."""
-    found = groups._from_library(identifier)
-    assert groups.fingerprint(found) == groups.fingerprint(groups.build_group(identifier))
-    assert groups.edited(found) == (identifier in groups.FAST_OF)  # those are fingerprinted once they are whole
+    found = groups._from_library(GROUPS[identifier])
+    assert fingerprints.fingerprint(found) == fingerprints.fingerprint(groups.build_group(identifier))
+
+
+def test_changed_physics_change_the_fingerprint(monkeypatch):
+    """A constant of the sampler that no socket shows."""
+    before = fingerprints.fingerprint(groups.build_group("cook_torrance_exact"))
+    monkeypatch.setattr("addon.models.cook_torrance.exact.HEADROOM", 0.9)
+    after = fingerprints.fingerprint(groups.build_group("cook_torrance_exact"))
+    assert after != before
+    recorded = {"cook_torrance_exact": {"version": 1, "fingerprint": before}}
+    now = {"cook_torrance_exact": {"version": 1, "fingerprint": after}}
+    assert "raise its version" in build_groups.why_not_recorded(now, recorded)["cook_torrance_exact"]
+
+
+@pytest.mark.parametrize("change", [
+    lambda tree, item: setattr(item, "default_value", 0.35), lambda tree, item: setattr(item, "max_value", 0.9),
+    lambda tree, item: setattr(item, "name", "Rms Slope"), lambda tree, item: tree.interface.remove(item),
+    lambda tree, item: setattr(next(n for n in tree.nodes if n.bl_idname == "ShaderNodeBsdfMetallic"), "distribution", "GGX"),
+])
+def test_the_fingerprint_sees_the_interface_and_settings(change):
+    tree = groups.build_group("cook_torrance_fast")
+    before = fingerprints.fingerprint(tree)
+    change(tree, next(item for item in tree.interface.items_tree if item.name == "Slope 1"))
+    assert fingerprints.fingerprint(tree) != before
 
 
 def test_every_lane_of_a_group_is_named_and_no_node_lies_on_another():

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from addon.blender import groups, materials
-from addon.reflectance import layered_rgb as layered
+from addon.blender.datablocks import groups, materials
+from addon.models.layered_rgb import formulas as layered
 from tests.render import probes
 from tests.render.layered_scenes import material
 

@@ -3,7 +3,7 @@
 import pytest
 
 from addon import api
-from addon.blender.groups import EEVEE_OUTPUT, node_group
+from addon.blender.datablocks.groups import EEVEE_OUTPUT, node_group
 
 ONLY_IN_CYCLES = {"ShaderNodeScript", "ShaderNodeBsdfMetallic", "ShaderNodeBevel", "ShaderNodeAmbientOcclusion"}
 

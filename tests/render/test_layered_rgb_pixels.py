@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from addon.reflectance import layered_rgb as layered
-from addon.verify import layered_scenes as scenes_of_layers
+from addon.models.layered_rgb import formulas as layered
+from addon.verify import layered_rgb_scenes as scenes_of_layers
 from tests.render import probes
 from tests.render.layered_scenes import (
     TILE_ANGLES, Reference, furnace_means, furnace_tiles, material, ring_means, rings, sphere_reference, tile_normal,

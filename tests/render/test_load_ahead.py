@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import bpy
 
-from addon.bake import bake
-from addon.blender import load_ahead
+from addon.blender.panels import load_ahead
+from addon.models.making import made
 
 
 def datablocks():
@@ -14,7 +14,7 @@ def datablocks():
 
 def test_it_bakes_a_preset_and_leaves_the_file_alone(monkeypatch):
     baked = []
-    monkeypatch.setattr("addon.bake.bake", lambda name: baked.append(name) or bake(name))
+    monkeypatch.setattr("addon.models.making.made", lambda preset: baked.append(preset) or made(preset=preset))
     before = datablocks()
     load_ahead.load()
     assert baked == ["copper"]

@@ -6,7 +6,7 @@ import bpy
 import pytest
 
 import addon
-from addon.blender import materials
+from addon.blender.datablocks import materials
 from addon.export import spectrum_csv
 from addon.spectra.optical_constants import load
 

@@ -5,12 +5,17 @@ import pytest
 
 import addon
 from addon import api
-from addon.blender import compat, materials, node_menu, node_sidebar, picker
+from addon.blender import compat
+from addon.blender.datablocks import materials
+from addon.blender.datablocks import menu
+from addon.blender.datablocks.groups import node_group
+from addon.blender.datablocks.locked import why_locked
+from addon.blender.operators.apply_to_node import takes_presets, write_preset
+from addon.blender.panels import picker
 from addon.blender import settings as settings_module
-from addon.blender.bake_operator import why_locked
-from addon.blender.realisation_operator import what_is_missing
+from addon.blender.operators.realisation import what_is_missing
 from addon.errors import FacetFilmError
-from addon.spectra.search import search as spectra_search
+from addon.catalogue.search import search as spectra_search
 
 
 @pytest.fixture
@@ -38,23 +43,23 @@ def test_a_picture_chooses_its_preset(objects):
     settings().preset = "main/Cu/Babar"
     assert settings().thumbnail == "main/Cu/Babar"
     settings().kind = "glass"
-    settings().thumbnail = picker.thumbnail_items("cook_torrance", "glass", settings().preset)[1][0]
+    settings().thumbnail = picker.thumbnail_items("glass", settings().preset)[1][0]
     assert settings().preset != "main/Cu/Babar"
-    settings().layered_thumbnail = "soap film"
-    assert settings().layered_preset == "soap film"
+    settings().kind = "look"
+    settings().thumbnail = "soap_film"
+    assert settings().preset == "soap_film"
 
 
 def test_every_kind_of_preset_can_be_picked():
-    from addon.spectra.presets import all_presets
+    from addon.catalogue.presets import all_presets
     assert {preset.kind for preset in all_presets().values()} == {item[0] for item in picker.KIND_ITEMS}
 
 
 def test_search_finds_presets_and_datasets(objects):
-    assert picker.search("cook_torrance", "gold babar")[:2] == [("gold", "Gold"), ("main/Au/Babar", picker.search(
-        "cook_torrance", "gold babar")[1][1])]
+    assert picker.search("gold babar")[:2] == [("gold", "Gold"), ("main/Au/Babar", picker.search("gold babar")[1][1])]
     settings().preset = "main/Au/Babar · Gold"
     assert settings().preset == "main/Au/Babar"
-    assert picker.search("layered_rgb", "soap") == [("soap film", "Soap film")]
+    assert picker.search("soap") == [("soap_film", "Soap film")]
 
 
 def kept_by_blender(line, typed):
@@ -63,25 +68,21 @@ def kept_by_blender(line, typed):
     return all(any(word.startswith(part) for word in words) for part in typed.casefold().split())
 
 
-@pytest.mark.parametrize("model, typed", [
-    *(("cook_torrance", typed) for typed in (
-        "gold babar", "quicksilver", "Fe₂O₃", "tungstn", "oxide", "aluminum", "1985", "schott n-bk7", "johnson",
-        "bolts and", "stainless ste", "Café", "tio2", "hematite")),
-    ("layered_rgb", "soap"), ("layered_rgb", "shell")])
-def test_whatever_the_search_finds_is_listed_while_one_types(objects, model, typed):
-    found = picker.search(model, typed)
-    listed = (settings_module.search_measured(None, None, typed) if model == "cook_torrance"
-              else picker.lines(model, typed))
+@pytest.mark.parametrize("typed", [
+    "gold babar", "quicksilver", "Fe₂O₃", "tungstn", "oxide", "aluminum", "1985", "schott n-bk7", "johnson",
+    "bolts and", "stainless ste", "Café", "tio2", "hematite", "soap", "nacre"])
+def test_whatever_the_search_finds_is_listed_while_one_types(objects, typed):
+    found = picker.search(typed)
+    listed = settings_module.search_presets(None, None, typed)
     assert [picker.name_in(line) for line in listed] == [name for name, _ in found]
     assert all(kept_by_blender(line, typed) for line in listed), listed
-    if model == "cook_torrance":
-        assert found == [(one.id, one.title) for one in spectra_search(typed, picker.LISTED)]
+    assert found == [(one.id, one.title) for one in spectra_search(typed, picker.LISTED)]
 
 
 def test_a_word_of_an_alias_or_note_is_shown_where_the_title_lacks_it(objects):
-    assert picker.lines("cook_torrance", "quicksilver")[0].startswith("mercury · Mercury · quicksilver")
-    assert picker.lines("cook_torrance", "mercury")[0] == "mercury · Mercury"
-    settings().preset = picker.lines("cook_torrance", "quicksil")[0]
+    assert picker.lines("quicksilver")[0].startswith("mercury · Mercury · quicksilver")
+    assert picker.lines("mercury")[0] == "mercury · Mercury"
+    settings().preset = picker.lines("quicksil")[0]
     assert settings().preset == "mercury"
 
 
@@ -95,27 +96,28 @@ def test_baking_puts_one_material_on_all_selected_objects(objects):
 def test_light_and_gamut_reach_the_bake(objects):
     bpy.ops.facet_film.bake_preset(preset="copper", illuminant="A", observer="1964", space="Rec.2020", gamut="clip")
     material = objects[0].active_material
-    record = materials.record_of(material)
+    record = materials.baked_of(material)
     assert (record["illuminant"], record["observer"], record["space"]) == ("A", "1964", "Rec.2020")
     assert record["gamut"]["method"] == "clip"
     assert record["f0"] == pytest.approx(api.bake("copper", illuminant="A", observer="1964", space="Rec.2020").f0)
     n = materials.parameters_of(material).n
     assert bpy.ops.facet_film.rebake() == {"FINISHED"}
-    assert materials.record_of(material)["illuminant"] == "D65"
+    assert materials.baked_of(material)["illuminant"] == "D65"
     assert materials.parameters_of(material).n != n
 
 
 def test_re_baking_keeps_what_the_user_set(objects):
     bpy.ops.facet_film.bake_preset(preset="gold", illuminant="A", realisation="exact")
     material = objects[0].active_material
-    materials.rebake(material, materials.parameters_of(material).changed(slopes=((0.33, 1.0),), specular=0.5),
-                     materials.record_of(material))
+    record = materials.record_of(material)
+    materials.write(material, record.changed(
+        parameters=record.parameters.changed(slopes=((0.33, 1.0),), specular=0.5)))
     other = api.create_material(preset="silver", viewing={"illuminant": "A"})
     assert bpy.ops.facet_film.rebake_all() == {"FINISHED"}
     found = materials.parameters_of(material)
     assert found.slopes[0][0] == pytest.approx(0.33) and found.specular == pytest.approx(0.5)
     assert materials.realisation_of(material) == "exact"
-    assert {materials.record_of(one)["illuminant"] for one in (material, other)} == {"D65"}
+    assert {materials.baked_of(one)["illuminant"] for one in (material, other)} == {"D65"}
 
 
 def test_linked_and_overridden_data_say_why_they_cannot_be_changed(objects, tmp_path):
@@ -148,11 +150,11 @@ def test_the_panel_says_what_the_scene_lacks(objects):
 
 
 def test_every_group_of_the_add_menu_is_there_and_is_reused(objects):
-    for identifier, _, _ in node_menu.GROUP_ITEMS:
+    for identifier, _, _ in menu.group_items():
         if identifier == "fresnel_ramp":
             assert api.create_fresnel_ramp("gold") == api.create_fresnel_ramp("gold")
         else:
-            assert node_menu.node_group(identifier) == node_menu.node_group(identifier)
+            assert node_group(identifier) == node_group(identifier)
     assert not [tree.name for tree in bpy.data.node_groups if tree.name[-4:-3] == "."]
 
 
@@ -160,19 +162,19 @@ def test_a_preset_goes_into_a_single_node(objects):
     material = bpy.data.materials.new("Mixed")
     compat.enable_nodes(material)
     node = material.node_tree.nodes.new("ShaderNodeGroup")
-    node.node_tree = node_menu.node_group("cook_torrance_exact")
-    assert node_sidebar.model_of_node(node) == "cook_torrance"
-    node_sidebar.write_preset(node, "gold", {})
+    node.node_tree = node_group("cook_torrance_exact")
+    assert takes_presets(node)
+    write_preset(node, "gold", {})
     assert tuple(node.inputs["Refractive Index n"].default_value) == pytest.approx(
         api.bake("gold", formula="exact").conductor.n)
     node.node_tree = api.create_fresnel_ramp("gold")
-    node_sidebar.write_preset(node, "copper", {})
+    write_preset(node, "copper", {})
     assert node.node_tree == api.create_fresnel_ramp("copper")
 
 
 def test_a_spread_of_a_preset_without_dataset_says_so():
     from addon.bake import spread
-    from addon.spectra.presets import all_presets
+    from addon.catalogue.presets import all_presets
     without = next(preset.name for preset in all_presets().values() if not preset.dataset)
     with pytest.raises(FacetFilmError, match="has no dataset"):
         spread(without)
@@ -190,7 +192,7 @@ def test_presets_of_the_user_are_saved_applied_renamed_and_deleted(objects, tmp_
     assert bpy.ops.facet_film.apply_user_preset(filepath=str(file)) == {"FINISHED"}
     material = objects[0].active_material
     assert materials.parameters_of(material) == kept
-    assert materials.record_of(material)["name"] == "gold"
+    assert materials.baked_of(material)["name"] == "gold"
     assert materials.realisation_of(material) == "exact"
     bpy.ops.facet_film.save_user_preset(name="Ring", remove_name=True)
     assert not file.exists()

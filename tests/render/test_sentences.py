@@ -7,9 +7,11 @@ import pytest
 
 import addon
 from addon import api
-from addon.blender import compat, materials, rebake_all_operator
-from addon.blender.material_panel import FACET_FILM_PT_material, FACET_FILM_PT_parameters
-from addon.blender.measurement_panel import FACET_FILM_PT_baked
+from addon.blender import compat
+from addon.blender.datablocks import materials
+from addon.blender.operators import rebake_all as rebake_all_operator
+from addon.blender.panels.material import FACET_FILM_PT_material, FACET_FILM_PT_parameters
+from addon.blender.panels.measurement import FACET_FILM_PT_baked
 from tests.drawn import drawn, properties_editor
 
 
@@ -203,7 +205,7 @@ def baking():
 
 
 def illuminants():
-    return [materials.record_of(material)["illuminant"] for material in bpy.data.materials]
+    return [materials.baked_of(material)["illuminant"] for material in bpy.data.materials]
 
 
 def test_re_baking_all_goes_on_to_the_end_with_progress(baking):

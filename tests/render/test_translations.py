@@ -10,15 +10,19 @@ import pytest
 import addon
 from addon import api, export
 from addon.bake import spread
-from addon.blender import bake_operator, groups, registration
+from addon.blender import registration
+from addon.blender.datablocks import groups, menu
+from addon.blender.operators import bake
 from addon.blender.translations import LANGUAGES
+from addon.catalogue.presets import KINDS
 from addon.errors import FacetFilmError
+from addon.models import all_models
 from addon.spectra.illuminants import TITLES
 
 ADDON = Path(__file__).resolve().parents[2] / "addon"
 ROOM = ADDON / "blender"
 MARKED = {"iface_", "rpt_", "tip_", "n_"}
-ENGLISH_ONLY = {"cli.py", "cli_text.py", "parameters.py", "layered_parameters.py", "spectra/dispersion.py",
+ENGLISH_ONLY = {"shell/commands.py", "models/cook_torrance/parameters.py", "models/layered_rgb/parameters.py", "spectra/dispersion.py",
                 "spectra/readers/reading.py", "spectra/readers/text.py", "export/materialx.py", "verify/running.py"}
 """Where errors are of scripts, of the shell, or of the lines of a file that someone imports: those stay English."""
 NOT_SHOWN = {
@@ -32,6 +36,7 @@ LEFT_AS_THEY_ARE = {"Facet & Film", "n", "k", "F0", "Rec.709", "Rec.2020", "ACES
                     "OSL", "JSON", "MaterialX", "CPU", "GPU", "Linear Rec.2020", "CIE 1931, 2°", "CIE 1964, 10°",
                     "conductor_bsdf and generalized_schlick_bsdf"}
 """Names, units and formats that are the same in every language."""
+FILES = sorted(file for file in ROOM.rglob("*.py") if file.parent.name != "translations")
 NOT_OURS = {"rna_type", "name", "remove_name", "remove_active"}
 
 
@@ -61,7 +66,7 @@ def texts_of_classes():
 def texts_in_source():
     """Literals handed to the marking functions, and `text=` of buttons and labels."""
     found = set()
-    for file in ROOM.glob("*.py"):
+    for file in FILES:
         for node in ast.walk(tree_of(file)):
             if not isinstance(node, ast.Call):
                 continue
@@ -95,14 +100,21 @@ def raised():
 def names_of_sockets():
     """What the panel calls the parameters, as the groups do."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    return {name for identifier in groups.GROUPS if "osl" not in identifier
-            for name in groups.input_names(groups.node_group(identifier))}
+    return {name for group in groups.all_groups() if not group.osl
+            for name in groups.input_names(groups.node_group(group.identifier))}
+
+
+def texts_of_models():
+    """What menus and lists show of models, presets' kinds, and forms."""
+    of_groups = {text for part in menu.parts() for _, name, summary in part for text in (name, summary)}
+    of_forms = {text for model in all_models() for form in model.forms.values() for text in (form.title, form.tip)}
+    return of_groups | of_forms | set(KINDS.values())
 
 
 @pytest.fixture(scope="module")
 def texts():
     addon.register()
-    found = texts_of_classes() | texts_in_source() | errors_of_artists() | names_of_sockets() | set(TITLES.values())
+    found = texts_of_classes() | texts_in_source() | errors_of_artists() | names_of_sockets() | set(TITLES.values()) | texts_of_models()
     addon.unregister()
     return {text for text in found if text and text not in LEFT_AS_THEY_ARE}
 
@@ -117,7 +129,7 @@ def sentences_in(file):
                 yield node.lineno, node.value
 
 
-@pytest.mark.parametrize("file", sorted(ROOM.glob("*.py")), ids=lambda file: file.name)
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.relative_to(ROOM).as_posix())
 def test_no_sentence_of_the_interface_is_left_unmarked(texts, file):
     """Each stands as it is in the tables: marked, or a label or description; none is put together by an f-string."""
     unmarked = {f"line {line}: {text}" for line, text in sentences_in(file) if text not in texts | LEFT_AS_THEY_ARE | NOT_SHOWN}
@@ -161,7 +173,7 @@ def test_operators_report_errors_in_the_interface_language(monkeypatch, language
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.mesh.primitive_cube_add()
     addon.register()
-    monkeypatch.setattr(bake_operator, "rpt_", in_language(language))
+    monkeypatch.setattr(bake, "rpt_", in_language(language))
     try:
         with pytest.raises(RuntimeError) as error:
             bpy.ops.facet_film.bake_preset(preset=preset)

@@ -4,6 +4,7 @@ import colour
 import numpy as np
 import pytest
 
+from addon.models.making import made
 from addon.bake import bake
 from addon.bake.colour import delta_e_2000, lab, rgb_to_xyz
 from addon.bake.curve import knots
@@ -132,9 +133,9 @@ def test_the_record_has_the_documented_keys():
 
 
 def test_a_preset_brings_the_parameters_of_its_material():
-    plastic = bake("figure_6a").cook_torrance_parameters()
-    assert plastic["specular"] == 0.1 and plastic["slopes"] == ((0.15, 1.0),)
-    assert np.allclose(plastic["diffuse"], bake("copper").normal_rgb)
-    assert np.allclose(plastic["n"], bake("vinyl").conductor.n, rtol=1e-12, atol=0.0)
-    metal = bake("copper", space="ACEScg").cook_torrance_parameters()
-    assert np.allclose(metal["diffuse"], bake("copper", space="ACEScg").normal_rgb)
+    plastic = made(preset="figure_6a").parameters
+    assert plastic.specular == 0.1 and plastic.slopes == ((0.15, 1.0),)
+    assert np.allclose(plastic.diffuse, bake("copper").normal_rgb)
+    assert np.allclose(plastic.n, bake("vinyl").conductor.n, rtol=1e-12, atol=0.0)
+    metal = made(preset="copper", viewing={"space": "ACEScg"}).parameters
+    assert np.allclose(metal.diffuse, bake("copper", space="ACEScg").normal_rgb)

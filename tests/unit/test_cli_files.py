@@ -23,7 +23,8 @@ def folder(tmp_path, monkeypatch):
 def test_a_file_is_baked(capsys):
     assert main(["bake", "own.csv", "--json"]) == 0
     record = json.loads(capsys.readouterr().out)
-    assert record == bake(read_file("own.csv")).to_dict()
+    assert record == record | bake(read_file("own.csv")).to_dict()
+    assert record["slopes"] == [[0.2, 1.0]]
     assert record["source"]["dataset"] == "file:own.csv"
     assert main(["bake", "own.csv"]) == 0
     assert "the user's own data" in capsys.readouterr().out

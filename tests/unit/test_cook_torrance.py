@@ -5,9 +5,9 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy import integrate, special
 
-from addon.reflectance import cook_torrance as ct
+from addon.models.cook_torrance import formulas as ct
 from addon.reflectance import fresnel, masking, slopes
-from addon.reflectance.albedo import cook_torrance_albedo, directional_albedo
+from addon.models.cook_torrance.albedo import cook_torrance_albedo, directional_albedo
 from addon.reflectance.directions import cosines, direction, frame_about, half_vector, in_frame, mirrored
 
 UP = direction(0.0, 0.0)

@@ -6,10 +6,10 @@ from numpy.testing import assert_allclose
 from scipy import stats
 from scipy.stats import qmc
 
-from addon.reflectance import cook_torrance as ct
-from addon.reflectance import cook_torrance_sampler as sampler
+from addon.models.cook_torrance import formulas as ct
+from addon.models.cook_torrance import sampler
 from addon.reflectance import masking, sampling, slopes
-from addon.reflectance.albedo import cook_torrance_albedo, facet_normals
+from addon.models.cook_torrance.albedo import cook_torrance_albedo, facet_normals
 from addon.reflectance.directions import direction, facing, half_vector, mirrored
 from addon.reflectance.fresnel import conductor, f82, f82_factor
 

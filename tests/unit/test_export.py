@@ -11,23 +11,25 @@ import numpy as np
 import pytest
 
 from addon.bake import bake
+from addon.catalogue import presets
 from addon.errors import FacetFilmError
-from addon.export import (
-    bake_json,
-    curve_csv,
-    materialx,
-    principled_settings,
-    spectrum_csv,
-    write_text,
-    writing,
-)
-from addon.spectra import optical_constants, presets
+from addon.export import curve_csv, json_text, materialx, principled_settings, spectrum_csv, write_text, writing
+from addon.models import named
+from addon.models.making import exported, made, rebaked
+from addon.spectra import optical_constants
 from addon.spectra.readers import read_text
+
+ONE_SLOPE = ((0.2, 1.0),)
+
+
+def materialx_of(preset, **parameters):
+    """The MaterialX of a preset with parameters of one's own."""
+    return exported(made(preset=preset, **parameters), "materialx")
 
 
 def test_json_is_the_bake():
     baked = bake("gold")
-    assert json.loads(bake_json(baked)) == baked.to_dict()
+    assert json.loads(json_text(baked.to_dict())) == baked.to_dict()
 
 
 @pytest.mark.parametrize("dataset", ["main/Au/Babar", "main/SiO2/Malitson", "main/Cu/Johnson"])
@@ -72,7 +74,7 @@ def inputs_of(document, kind):
 
 def test_materialx_holds_the_fits():
     baked = bake("copper")
-    document = materialx(baked)
+    document = materialx_of("copper")
     conductor = inputs_of(document, "conductor_bsdf")
     schlick = inputs_of(document, "generalized_schlick_bsdf")
 
@@ -83,57 +85,81 @@ def test_materialx_holds_the_fits():
     np.testing.assert_allclose(numbers(schlick["color0"]), baked.f82.f0, rtol=1e-5)
     np.testing.assert_allclose(numbers(schlick["color82"]), baked.f82.tint, rtol=1e-5)
     assert numbers(schlick["color90"]) == [1, 1, 1] and float(schlick["exponent"]) == 5
-    assert numbers(inputs_of(materialx(baked, roughness=0.3), "conductor_bsdf")["roughness"]) == [0.3, 0.3]
+    assert numbers(inputs_of(materialx_of("copper", slopes=[(0.3, 1.0)]), "conductor_bsdf")["roughness"]) == [0.3, 0.3]
     assert ElementTree.fromstring(document).get("colorspace") == "lin_rec709"
-    assert ElementTree.fromstring(materialx(bake("gold", space="ACEScg"))).get("colorspace") == "acescg"
+    assert ElementTree.fromstring(materialx(bake("gold", space="ACEScg"), slopes=ONE_SLOPE)).get("colorspace") == "acescg"
 
 
 def test_the_weights_of_materialx_are_those_of_the_model():
-    baked = bake("figure_7_copper") if "figure_7_copper" in presets.names() else bake("figure_6b")
-    root = ElementTree.fromstring(materialx(baked))
+    surface = made(preset="figure_7_copper").parameters
+    root = ElementTree.fromstring(materialx_of("figure_7_copper"))
     lobes = [{one.get("name"): one.get("value") for one in node} for node in root.findall("conductor_bsdf")]
-    assert len(lobes) == len(baked.slopes) > 1
-    for lobe, (m, w) in zip(lobes, baked.slopes):
-        assert math.isclose(float(lobe["weight"]), baked.specular * w, rel_tol=1e-5)
+    assert len(lobes) == len(surface.slopes) > 1
+    for lobe, (m, w) in zip(lobes, surface.slopes):
+        assert math.isclose(float(lobe["weight"]), surface.specular * w, rel_tol=1e-5)
         assert float(lobe["roughness"].split(",")[0]) == pytest.approx(m)
-    mixed = bake("figure_6a")
-    diffuse = inputs_of(materialx(mixed), "oren_nayar_diffuse_bsdf")
-    assert float(diffuse["weight"]) == pytest.approx(1 - mixed.specular)
+    diffuse = inputs_of(materialx_of("figure_6a"), "oren_nayar_diffuse_bsdf")
+    assert float(diffuse["weight"]) == pytest.approx(1 - made(preset="figure_6a").parameters.specular)
 
 
 def test_materialx_refuses_parameters_of_another_formula():
     with pytest.raises(FacetFilmError, match="bake with the formula 'exact'"):
-        materialx(bake("copper", formula="blender-4.5"))
+        materialx(bake("copper", formula="blender-4.5"), slopes=ONE_SLOPE)
 
 
 def test_materialx_of_a_material_with_a_strange_name():
-    document = materialx(bake(read_text("400,1.5,2\n700,1.4,2\n", "1 <ä>--&.csv")))
+    document = materialx_of(read_text("400,1.5,2\n700,1.4,2\n", "1 <ä>--&.csv"))
     names = [node.get("name") for node in ElementTree.fromstring(document).iter() if node.get("name")]
     assert all(name.isidentifier() and name.isascii() for name in names)
 
 
+def test_what_is_exported_is_what_the_node_holds_in_the_light_it_was_baked_in():
+    """Not a bake in the default light with the preset's own slopes."""
+    viewing = {"illuminant": "A", "observer": "1964", "gamut": "leave"}
+    tuned = made(preset="gold", viewing=viewing, slopes=[(0.33, 1.0)], specular=0.5, diffuse=(0.1, 0.2, 0.3))
+    held = json.loads(exported(tuned, "json"))
+    expected = bake("gold", **viewing)
+    assert held["f0"] == list(expected.f0) and held["fresnel"] == expected.to_dict()["fresnel"]
+    assert (held["illuminant"], held["observer"], held["gamut"]["method"]) == ("A", "1964", "leave")
+    assert (held["slopes"], held["specular"], held["diffuse_rgb"]) == ([[0.33, 1.0]], 0.5, [0.1, 0.2, 0.3])
+    root = ElementTree.fromstring(exported(tuned, "materialx"))
+    assert [float(one.get("value").split(",")[0]) for one in root.iter("input") if one.get("name") == "roughness"] \
+        == [0.33, 0.33]
+    assert exported(tuned, "csv") == curve_csv(expected)
+
+
+def test_an_index_of_the_users_own_is_exported_with_its_distance_from_the_measurement():
+    tuned = made(preset="copper", n=(1.5,) * 3, k=(0.0,) * 3)
+    held = json.loads(exported(tuned, "json"))
+    assert held["conductor"]["n"] == [1.5] * 3 and held["f0"] == pytest.approx([0.04] * 3)
+    assert held["conductor"]["delta_e_2000_max"] > 20.0
+    assert json.loads(exported(rebaked(tuned), "json"))["conductor"]["delta_e_2000_max"] < 1.0
+
+
 def test_principled_of_a_conductor():
     baked = bake("copper")
-    settings = principled_settings(baked)
+    slopes = made(preset="copper").parameters.slopes
+    settings = principled_settings(baked, slopes=slopes)
     assert settings["Base Color"][:3] == baked.f82.f0 and settings["Specular Tint"][:3] == baked.f82.tint
     assert settings["Metallic"] == 1.0
-    slope = sum(w * m * m for m, w in baked.slopes) ** 0.5
+    slope = sum(w * m * m for m, w in slopes) ** 0.5
     assert settings["Roughness"] == pytest.approx(math.sqrt(slope))
 
 
 def test_principled_of_a_dielectric():
-    settings = principled_settings(bake("vinyl"))
+    settings = principled_settings(bake("vinyl"), slopes=ONE_SLOPE)
     assert settings["Metallic"] == 0.0
     f0 = ((settings["IOR"] - 1) / (settings["IOR"] + 1)) ** 2
     assert f0 == pytest.approx(np.mean(bake("vinyl").normal_rgb))
 
 
 def test_principled_of_every_preset_is_in_the_sockets_ranges():
-    for name in presets.names():
-        for socket, value in principled_settings(bake(name)).items():
+    for preset in [preset for preset in presets.all_presets().values() if preset.measured]:
+        record = made(preset=preset.name)
+        for socket, value in named(record.model).principled(record).items():
             values = value if isinstance(value, tuple) else (value,)
             highest = 10.0 if socket == "IOR" else 1.0
-            assert all(0.0 <= one <= highest for one in values), (name, socket, value)
+            assert all(0.0 <= one <= highest for one in values), (preset.name, socket, value)
 
 
 def test_a_file_is_written_whole(tmp_path):

@@ -11,16 +11,15 @@ from pathlib import Path
 
 import pytest
 
-from addon.layered_presets import PRESETS
-from addon.spectra import presets
+from addon.catalogue import presets
 
 ROOT = Path(__file__).resolve().parents[2]
 
-NUMPY_ROOMS = ("addon/reflectance/", "addon/spectra/", "addon/bake/", "addon/export/")
+NUMPY_ROOMS = ("addon/reflectance/", "addon/models/", "addon/catalogue/", "addon/spectra/", "addon/bake/", "addon/export/", "addon/shell/")
 BLENDER_MODULES = {"bpy", "bmesh", "mathutils", "gpu", "_bpy", "bpy_extras", "blf"}
-BLENDER_ROOMS = {"nodes", "blender", "ui", "osl", "api", "verify"}
+BLENDER_ROOMS = {"nodes", "blender", "api", "verify"}
 # Reached inside functions that only Blender, or someone who has it, calls.
-DOORS_TO_BLENDER = {("addon/__init__.py", "blender"), ("addon/cli.py", "verify")}
+DOORS_TO_BLENDER = {("addon/__init__.py", "blender"), ("addon/shell/commands.py", "verify")}
 
 
 def files_of_the_checkout():
@@ -123,7 +122,7 @@ def test_data_is_written_by_hand_or_a_table_that_names_its_tool():
 def test_every_preset_has_a_preview_and_nothing_else_does():
     previews = {Path(name).stem for name in FILES if name.startswith("addon/thumbnails/")}
     groups = {name for name in previews if name.startswith("group ")}  # for the asset library
-    assert previews - groups == {*presets.names(), *PRESETS}
+    assert previews - groups == {*presets.names()}
     assert sum((ROOT / name).stat().st_size for name in FILES if name.startswith("addon/thumbnails/")) < 2_000_000
 
 
@@ -149,7 +148,53 @@ def test_every_requirement_is_at_an_exact_version(name):
         assert re.fullmatch(r"#.*|-r python-\d\.\d+\.txt|[a-z0-9-]+==[0-9.]+", line), line
 
 
-def test_node_groups_hold_the_groups_one_by_one_and_the_assets():
-    """A file with several groups is slow to take one from: see addon.blender.groups.LIBRARY."""
-    folders = {name.split("/")[1] for name in FILES if name.startswith("node_groups/")}
-    assert folders == {"groups", "blender_4.5", "blender_5.0"}
+def test_built_files_are_not_kept():
+    """What node_groups holds is built; its source is the catalogue and the list of versions."""
+    kept = {name for name in FILES if name.startswith("node_groups/")}
+    assert kept == {"node_groups/versions.json", "node_groups/assets/blender_assets.cats.txt"}
+    assert [name for name in FILES if name.endswith(".blend")] == ["tests/data/saved_by_4.5.blend"]
+
+
+# --- One model, one folder ---
+
+MAY_NAME_MODELS = re.compile(
+    r"addon/verify/(cook_torrance|layered_rgb)_(checks|scenes)\.py"  # a model's own checks, which need bpy
+    r"|addon/blender/translations/\w+\.py")
+
+
+def names_of_models(source):
+    """Where code, not its comments or docstrings, names one of the models."""
+    tree = ast.parse(source)
+    docstrings = {id(node.body[0].value) for node in ast.walk(tree)
+                  if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and node.body
+                  and isinstance(node.body[0], ast.Expr)}
+    named = []
+    for node in ast.walk(tree):
+        text = (node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else
+                node.id if isinstance(node, ast.Name) else node.attr if isinstance(node, ast.Attribute) else
+                node.module or "" if isinstance(node, ast.ImportFrom) else "")
+        if id(node) not in docstrings and re.search("cook_torrance|layered_rgb", text):
+            named.append((node.lineno, text))
+    return named
+
+
+def test_a_name_of_a_model_is_seen():
+    assert names_of_models('"""Of cook_torrance."""\nif model == "layered_rgb":\n    pass') == [(2, "layered_rgb")]
+
+
+@pytest.mark.parametrize("name", [name for name in PYTHON_FILES if name.startswith("addon/")
+                                  and not name.startswith("addon/models/") and not MAY_NAME_MODELS.fullmatch(name)])
+def test_nothing_outside_of_the_models_asks_which_model_it_is(name):
+    assert not names_of_models(text_of(name))
+
+
+def test_the_default_model_is_named_once():
+    assert names_of_models(text_of("addon/models/__init__.py")) == [(15, "cook_torrance")]
+
+
+@pytest.mark.parametrize("model", ["cook_torrance", "layered_rgb"])
+def test_models_do_not_know_each_other(model):
+    others = {"cook_torrance", "layered_rgb"} - {model}
+    for name in PYTHON_FILES:
+        if name.startswith(f"addon/models/{model}/"):
+            assert not [text for _, text in names_of_models(text_of(name)) if any(other in text for other in others)], name

@@ -4,9 +4,10 @@ import math
 
 import pytest
 
+from addon.catalogue.presets import all_presets
 from addon.errors import FacetFilmError
-from addon.layered_parameters import LayeredRGB, layered_rgb_parameters
-from addon.layered_presets import PRESETS, layered_preset
+from addon.models.layered_rgb.parameters import LayeredRGB
+from addon.models.making import made
 
 
 @pytest.mark.parametrize("parameters, named", [
@@ -28,19 +29,19 @@ from addon.layered_presets import PRESETS, layered_preset
 ])
 def test_what_cannot_be_used_is_named(parameters, named):
     with pytest.raises(FacetFilmError, match=named):
-        layered_rgb_parameters(**parameters)
+        LayeredRGB().changed(**parameters)
 
 
 def test_contradictions_are_errors():
     with pytest.raises(FacetFilmError, match="contradict"):
-        layered_rgb_parameters(thickness=70, thickness_range=(66, 76))
+        LayeredRGB(thickness=70, thickness_range=(66, 76))
     with pytest.raises(FacetFilmError, match="thickness_range"):
-        layered_rgb_parameters(correlated=True)
+        LayeredRGB(correlated=True)
 
 
 def test_degrees_are_recognised():
     with pytest.raises(FacetFilmError, match="14° are 0.244 radians"):
-        layered_rgb_parameters(deviation=14)
+        LayeredRGB(deviation=14)
 
 
 def test_a_thickness_takes_the_place_of_a_range():
@@ -52,14 +53,22 @@ def test_a_thickness_takes_the_place_of_a_range():
 
 
 def test_bounds_are_open_to_their_ends():
-    layered_rgb_parameters(thickness=0, exponent_r=0, exponent_t=0, deviation=0, sampling_width=0,
+    LayeredRGB(thickness=0, exponent_r=0, exponent_t=0, deviation=0, sampling_width=0,
                            ior=(1.001, 1.2, 9.9))
+
+
+PRESETS = {name: preset for name, preset in all_presets().items() if preset.model == "layered_rgb"}
+
+
+def layered_preset(name):
+    """The parameters of a preset, by its old name too."""
+    return made("layered_rgb", name).parameters
 
 
 @pytest.mark.parametrize("name", PRESETS)
 def test_every_preset_is_valid_and_says_what_it_is(name):
     preset = PRESETS[name]
-    assert preset.layered_rgb()
+    assert isinstance(layered_preset(name), LayeredRGB)
     assert preset.kind == ("figure" if name.startswith("figure") else "look")
     assert ("not a measurement" in preset.note) == (preset.kind == "look")
 
@@ -67,16 +76,16 @@ def test_every_preset_is_valid_and_says_what_it_is(name):
 def test_the_figures_parameters_are_the_papers():
     figure_2 = {"old metal": ((1, 30), 1.5), "coloured": ((1, 210), 1.3), "clay": ((67, 73), 1.4)}
     for name, (thickness, index) in figure_2.items():
-        p = layered_preset(f"figure 2, {name}").layered_rgb()
+        p = layered_preset(f"figure 2, {name}")
         assert (p.thickness_range, p.ior, p.specular, p.diffuse) == (thickness, (index,) * 3, 0.0, 1.0)
     for name, deviation in (("parallel", 0.0), ("deviation", math.radians(10.0))):
-        p = layered_preset(f"figure 3, {name}").layered_rgb()
+        p = layered_preset(f"figure 3, {name}")
         assert (p.thickness_range, p.ior, p.exponent_r, p.exponent_t) == ((66, 76), (1.4, 1.45, 1.6), 90, 170)
         assert (p.deviation, p.specular, p.diffuse) == (deviation, 1.0, 0.7)
-    p = layered_preset("figure 4").layered_rgb()
+    p = layered_preset("figure_4")
     assert (p.correlated, p.diffuse, p.ior, p.exponent_r) == (True, 0.0, (1.4, 1.45, 1.6), 90)
     for thickness in ((1, 30), (79, 106), (146, 200)):
-        p = layered_preset(f"figure 5, {thickness[0]}-{thickness[1]} nm").layered_rgb()
+        p = layered_preset(f"figure 5, {thickness[0]}-{thickness[1]} nm")
         assert (p.thickness_range, p.ior) == (thickness, (1.5, 1.6, 1.8))
         assert (p.exponent_r, p.exponent_t) == (130, 130)
         assert (p.deviation, p.specular, p.diffuse) == (math.radians(14.0), 1.0, 0.5)

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from addon.reflectance import layered_rgb as layered
+from addon.models.layered_rgb import formulas as layered
 
 RNG = np.random.default_rng(2003)
 UP = np.array([0.0, 0.0, 1.0])

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from addon.reflectance import directions
-from addon.reflectance import layered_rgb as layered
-from addon.reflectance.layered_rgb_fast import exit_directions, exit_plane, lobe_colours, native_lobes
+from addon.models.layered_rgb import formulas as layered
+from addon.models.layered_rgb.lobes import exit_directions, exit_plane, lobe_colours, native_lobes
 
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
 WAVELENGTHS = np.array(layered.WAVELENGTHS)

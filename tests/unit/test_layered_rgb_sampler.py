@@ -7,8 +7,8 @@ import pytest
 from scipy import stats
 
 from addon.reflectance import directions
-from addon.reflectance import layered_rgb as layered
-from addon.reflectance import layered_rgb_sampler as sampler
+from addon.models.layered_rgb import formulas as layered
+from addon.models.layered_rgb import sampler
 
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
 CASES = [

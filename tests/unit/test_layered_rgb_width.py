@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from addon.reflectance import layered_rgb as layered
-from addon.reflectance import layered_rgb_sampler as sampler
+from addon.models.layered_rgb.parameters import LayeredRGB
+from addon.models.layered_rgb import formulas as layered
+from addon.models.layered_rgb import sampler
 
 VIEW, EAST = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0])
 WAVELENGTHS = np.array(layered.WAVELENGTHS)
@@ -109,7 +110,7 @@ def seen(normals, lower, lamp, case, thickness, width):
     return total
 
 
-def ring_biases(case, deviation, thickness, polar, width=sampler.DEFAULT_WIDTH):
+def ring_biases(case, deviation, thickness, polar, width=LayeredRGB().sampling_width):
     """Relative difference from the formula in the mean of each ring and channel that is not dark."""
     lamp = np.array([math.sin(polar), 0.0, math.cos(polar)])
     normals, ring = sphere()

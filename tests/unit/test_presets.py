@@ -11,13 +11,13 @@ import pytest
 
 from addon.bake import bake
 from addon.errors import FacetFilmError
-from addon.parameters import CookTorrance
-from addon.spectra import optical_constants, presets, tables
+from addon.catalogue import presets
+from addon.models.making import made
+from addon.spectra import optical_constants, tables
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PRESETS = presets.all_presets()
-KINDS = {"metal", "alloy", "conductor", "semiconductor", "oxide", "sulphide", "crystal", "glass", "liquid",
-         "polymer", "figure"}
+ALL = presets.all_presets()
+PRESETS = {name: preset for name, preset in ALL.items() if preset.measured}
 FIGURE_6B = ((0.4, 0.4), (0.2, 0.6))
 TABLE_I = {"carbon": (0.3, 0.7, 0.40), "rubber": (0.4, 0.6, 0.30), "obsidian": (0.8, 0.2, 0.15),
            "lunar_dust": (0.0, 1.0, None), "olive_drab": (0.3, 0.7, 0.50), "rust": (0.2, 0.8, 0.35)}
@@ -32,9 +32,20 @@ def baked():
         return {name: bake(name) for name in PRESETS}
 
 
+@pytest.fixture(scope="module")
+def surfaces():
+    """The parameters that each preset's materials have."""
+    return {name: made(preset=name).parameters for name in PRESETS}
+
+
+def diffuse_of(preset):
+    """Where a preset's diffuse colour is from."""
+    return preset.parameters.get("diffuse", "specular")
+
+
 def test_there_are_as_many_as_promised_of_every_kind():
-    count = collections.Counter(preset.kind for preset in PRESETS.values())
-    assert set(count) == KINDS
+    count = collections.Counter(preset.kind for preset in ALL.values())
+    assert set(count) == set(presets.KINDS)
     assert len(PRESETS) >= 100 and count["metal"] + count["alloy"] >= 35
     assert min(count.values()) >= 6
 
@@ -54,7 +65,7 @@ def test_what_people_ask_for_is_there(name):
 
 def test_names_are_plain_and_every_name_means_one_preset():
     called = collections.defaultdict(set)
-    for preset in PRESETS.values():
+    for preset in ALL.values():
         assert re.fullmatch("[a-z0-9]+(_[a-z0-9]+)*", preset.name)
         for name in (preset.name, preset.title, *preset.aliases):
             assert name == name.strip() and name
@@ -104,14 +115,15 @@ def test_what_has_no_dataset_says_that_it_is_estimated_and_from_what(baked):
         assert "measured" not in PRESETS[name].note
 
 
-def test_a_diffuse_colour_of_ones_own_is_called_estimated(baked):
+def test_a_diffuse_colour_of_ones_own_is_called_estimated(surfaces):
     for name, preset in PRESETS.items():
-        if not isinstance(preset.diffuse, str):
-            assert len(preset.diffuse) == 3 and all(0.0 <= channel <= 1.0 for channel in preset.diffuse)
+        diffuse = diffuse_of(preset)
+        if not isinstance(diffuse, str):
+            assert len(diffuse) == 3 and all(0.0 <= channel <= 1.0 for channel in diffuse)
             assert re.search("diffuse|drawn by eye", preset.estimated), name
-            assert np.allclose(baked[name].diffuse_rgb, preset.diffuse, atol=1e-6)
-        elif preset.diffuse != "specular":
-            assert preset.diffuse in optical_constants.dataset_ids()
+            assert np.allclose(surfaces[name].diffuse, diffuse, atol=1e-6)
+        elif diffuse != "specular":
+            assert diffuse in optical_constants.dataset_ids()
 
 
 def test_the_visible_is_covered_or_the_note_says_what_is_held(baked):
@@ -120,19 +132,20 @@ def test_the_visible_is_covered_or_the_note_says_what_is_held(baked):
     assert len(held) <= 5
 
 
-def test_parameters_are_in_range(baked):
+def test_parameters_are_in_range(surfaces):
     for name, preset in PRESETS.items():
-        material = CookTorrance(**baked[name].cook_torrance_parameters())
-        assert material.specular == preset.specular and material.slopes == preset.slopes
-        assert sum(weight for _, weight in preset.slopes) == pytest.approx(1.0)
-        assert all(0.02 <= m <= 0.5 for m, _ in preset.slopes), name
-        assert preset.distribution == "beckmann"
+        surface = surfaces[name]
+        assert surface.slopes == preset.parameters["slopes"]
+        assert surface.specular == preset.parameters.get("specular", 1.0)
+        assert sum(weight for _, weight in surface.slopes) == pytest.approx(1.0)
+        assert all(0.02 <= m <= 0.5 for m, _ in surface.slopes), name
+        assert surface.distribution == "beckmann"
 
 
 def test_transparent_materials_say_that_only_their_surface_is_modelled():
     for preset in PRESETS.values():
         if preset.kind in {"crystal", "glass", "liquid"}:
-            assert preset.specular == 1.0 and "surface" in preset.note, preset.name
+            assert "specular" not in preset.parameters and "surface" in preset.note, preset.name
 
 
 def test_all_bake_for_blender_4_5_without_a_warning():
@@ -158,34 +171,34 @@ def test_everything_else_is_fitted_closely(baked):
     assert max(bake.conductor.delta_e_2000_max for bake in baked.values()) <= 0.7
 
 
-def test_figure_6a():
-    plastic = presets.find("figure 6a")
-    assert (plastic.specular, plastic.slopes, plastic.distribution) == (0.1, ((0.15, 1.0),), "beckmann")
-    assert plastic.dataset == PRESETS["vinyl"].dataset and plastic.diffuse == PRESETS["copper"].dataset
+def test_figure_6a(surfaces):
+    plastic, surface = presets.find("figure 6a"), surfaces["figure_6a"]
+    assert (surface.specular, surface.slopes, surface.distribution) == (0.1, ((0.15, 1.0),), "beckmann")
+    assert plastic.dataset == PRESETS["vinyl"].dataset and diffuse_of(plastic) == PRESETS["copper"].dataset
 
 
-def test_figure_6b():
-    vase = presets.find("figure 6b")
-    assert (vase.specular, vase.slopes, vase.distribution) == (1.0, FIGURE_6B, "beckmann")
-    assert vase.dataset == vase.diffuse == PRESETS["copper"].dataset
+def test_figure_6b(surfaces):
+    vase, surface = presets.find("figure 6b"), surfaces["figure_6b"]
+    assert (surface.specular, surface.slopes, surface.distribution) == (1.0, FIGURE_6B, "beckmann")
+    assert vase.dataset == diffuse_of(vase) == PRESETS["copper"].dataset
 
 
 @pytest.mark.parametrize("metal", "bronze tungsten copper tin nickel stainless_steel".split())
-def test_metals_of_figure_7_are_figure_6b_but_for_the_spectrum(metal, baked):
-    vase = baked[f"figure_7_{metal}"]
-    assert (vase.specular, vase.slopes, vase.distribution) == (1.0, FIGURE_6B, "beckmann")
+def test_metals_of_figure_7_are_figure_6b_but_for_the_spectrum(metal, baked, surfaces):
+    vase, surface = baked[f"figure_7_{metal}"], surfaces[f"figure_7_{metal}"]
+    assert (surface.specular, surface.slopes, surface.distribution) == (1.0, FIGURE_6B, "beckmann")
     assert vase.f0 == pytest.approx(baked[metal].f0, abs=1e-9)
     assert vase.estimated == baked[metal].estimated
 
 
 @pytest.mark.parametrize("name", TABLE_I)
-def test_table_i(name, baked):
+def test_table_i(name, baked, surfaces):
     specular, diffuse, slope = TABLE_I[name]
-    preset = PRESETS[name]
-    assert preset.specular == specular and 1.0 - preset.specular == pytest.approx(diffuse)
-    assert slope is None or preset.slopes == ((slope, 1.0),)
-    assert preset.distribution == "beckmann" and preset.diffuse == "specular"
-    assert np.allclose(baked[name].diffuse_rgb, baked[name].normal_rgb)
+    preset, surface = PRESETS[name], surfaces[name]
+    assert surface.specular == specular and 1.0 - surface.specular == pytest.approx(diffuse)
+    assert slope is None or surface.slopes == ((slope, 1.0),)
+    assert surface.distribution == "beckmann" and diffuse_of(preset) == "specular"
+    assert np.allclose(surface.diffuse, baked[name].normal_rgb)
     assert "table I" in preset.note and presets.find(f"figure 7 {preset.title}") is preset
 
 
@@ -209,4 +222,3 @@ def test_the_catalogue_is_what_its_tool_builds(tmp_path):
     spec.loader.exec_module(tool)
     tool.main(tmp_path / "materials.md")
     assert (tmp_path / "materials.md").read_text("utf-8") == (ROOT / "docs" / "materials.md").read_text("utf-8")
-    assert set(tool.KINDS) == KINDS

@@ -8,7 +8,7 @@ import pytest
 
 from addon.errors import FacetFilmError
 from addon.spectra import dispersion, names, optical_constants, tables
-from addon.spectra.search import search
+from addon.catalogue.search import search
 
 IDS = optical_constants.dataset_ids()
 MEASURED = "Tabulated"

@@ -51,8 +51,6 @@ TEXTS = {
         "请先应用 Facet & Film 材质：没有可保存的内容",
     "Apply to Node":
         "应用到节点",
-    "As Cook and Torrance published them in 1982":
-        "依 Cook 与 Torrance 1982 年发表的数据",
     "Asset Library":
         "资产库",
     "At 0°":
@@ -105,14 +103,16 @@ TEXTS = {
         "颜色随角度变化：cos_theta, r, g, b",
     "Compare Measurements":
         "比较测量值",
-    "Cook–Torrance Exact":
+    "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
+        "以原生闭包实现的 Cook 与 Torrance 1982：光源采样，适用于所有设备及 EEVEE",
+    "Cook-Torrance Exact":
         "Cook–Torrance 精确",
-    "Cook–Torrance Fast":
+    "Cook-Torrance Fast":
         "Cook–Torrance 快速",
-    "Cook–Torrance OSL":
+    "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals":
-        "晶体",
+    "Crystals and Gems":
+        "晶体与宝石",
     "Cut every channel off at 0 and 1":
         "将每个通道截断在 0 与 1",
     "Darken all colours of the material alike, until the largest channel fits":
@@ -139,6 +139,8 @@ TEXTS = {
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Edge Tint":
         "边缘色调",
+    "Every parameter":
+        "所有参数",
     "Everything in this file is of this version":
         "此文件中的一切都是当前版本",
     "Everything that was baked":
@@ -161,10 +163,6 @@ TEXTS = {
         "F82 色调",
     "F82 tint":
         "F82 色调",
-    "Facets with native closures; also in EEVEE":
-        "使用原生闭包的微面；也可用于 EEVEE",
-    "Facets with rms slope m, conductor Fresnel, diffuse part (1982)":
-        "均方根斜率为 m 的微面、导体菲涅耳与漫射部分（1982）",
     "Fast":
         "快速",
     "File":
@@ -191,6 +189,8 @@ TEXTS = {
         "为已保存的预设改名",
     "Glasses":
         "玻璃",
+    "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
+        "以原生闭包实现的 Granier 与 Heidrich 分层 RGB 模型，也可用于 EEVEE",
     "Greatest Thickness":
         "最大厚度",
     "Group":
@@ -205,8 +205,6 @@ TEXTS = {
         "在资产浏览器中名为 Facet & Film",
     "Inside, unchanged":
         "在色域内，未改变",
-    "Interference and colour separation in a thin layer (Granier and Heidrich)":
-        "薄层中的干涉与色散（Granier 与 Heidrich）",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
     "Kind":
@@ -215,6 +213,8 @@ TEXTS = {
         "大视场",
     "Layer Thickness":
         "层厚度",
+    "Layered Films":
+        "分层薄膜",
     "Layered RGB Exact":
         "Layered RGB 精确",
     "Layered RGB Fast":
@@ -251,8 +251,6 @@ TEXTS = {
         "测量",
     "Metals":
         "金属",
-    "Model":
-        "模型",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -315,8 +313,6 @@ TEXTS = {
         "正入射反射率",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
         "红、绿、蓝的正入射反射率与 F82 色调",
-    "Reflectance model":
-        "反射模型",
     "Refractive Index":
         "折射率",
     "Refractive Index n":
@@ -385,12 +381,20 @@ TEXTS = {
         "纹理",
     "Texture Share":
         "纹理占比",
-    "The Paper's Figures":
+    "The Papers' Figures":
         "论文中的图",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
+    "The formula of Cook and Torrance 1982 itself as an OSL script":
+        "以 OSL 脚本表示的 Cook 与 Torrance 1982 原公式",
+    "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device":
+        "Cook 与 Torrance 1982 的原公式，仅用节点采样，适用于所有设备",
+    "The formula of Granier and Heidrich 2003 itself as an OSL script":
+        "以 OSL 脚本表示的 Granier 与 Heidrich 2003 原公式",
+    "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device":
+        "Granier 与 Heidrich 2003 的原公式，仅用节点采样，适用于所有设备",
     "The library is in Preferences, File Paths already":
         "该库已在偏好设置的文件路径中",
     "The library is not in the preferences":
@@ -405,14 +409,10 @@ TEXTS = {
         "无法读取预设 {file!r}。",
     "The processor":
         "处理器",
-    "The published formula as an OSL script":
-        "以 OSL 脚本表示的已发表公式",
     "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
         "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
-    "The published formula, nodes alone":
-        "已发表的公式，仅用节点",
     "The scene-linear space of this file":
         "此文件的场景线性空间",
     "The second Blender ended with status {:d}: {:s}":
@@ -425,10 +425,8 @@ TEXTS = {
         "已有名为 {:s} 的预设",
     "Thickness":
         "厚度",
-    "Thickness in nanometres that varies over the surface, with its lower normal":
-        "随表面变化的厚度（纳米）及其下层法线",
-    "Thin layer with native closures; also in EEVEE":
-        "使用原生闭包的薄层；也可用于 EEVEE",
+    "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
+        "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
     "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
         "此 Blender 编译时未包含 OSL：请使用精确或快速实现，它们渲染同一材质",
     "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
@@ -485,8 +483,8 @@ TEXTS = {
         "Workbench 只显示视图颜色：请在渲染属性中选择 Cycles",
     "Working Space":
         "工作空间",
-    "Write what was baked into the active material as JSON, CSV or MaterialX":
-        "将烘焙到活动材质的内容写为 JSON、CSV 或 MaterialX",
+    "Write the active material as its node holds it now: JSON, CSV or MaterialX":
+        "按节点当前的内容写出活动材质：JSON、CSV 或 MaterialX",
     "Wrote {:s}":
         "已写入 {:s}",
     "You have saved no preset yet":
@@ -613,10 +611,6 @@ TEXTS = {
         "已应用 {:s}",
     "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
         "{:s} 已由 {:s} 烘焙：拟合的最大 CIEDE2000 为 {:.2f}",
-    "{:s} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
-        "{:s} 是库重写，其节点与槽属于另一个文件：请先设为本地（物体，关系，设为本地）",
-    "{:s} is linked from another file: make it local first (Object, Relations, Make Local)":
-        "{:s} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
     "{:s} is linked: update it in {:s}":
         "{:s} 是链接的：请在 {:s} 中更新",
     "{:s} renders by {:s}":
@@ -639,14 +633,26 @@ TEXTS = {
         "{file!r} 正在写入；若并非如此，请删除 {aside!r}。",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} 受保护或不是普通文件；请另指定一个。",
-    "{material} holds no measurement: bake a Cook-Torrance preset first.":
-        "{material} 不含测量数据：请先烘焙一个 Cook-Torrance 预设。",
+    "{material} has no Principled BSDF that comes close: name a measured preset.":
+        "{material} 没有相近的原理化 BSDF：请指定一个测量预设。",
+    "{material} holds no measurement: bake a measured preset first.":
+        "{material} 不含测量数据：请先烘焙一个测量预设。",
+    "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
+        "{material} 是库重写，其节点与槽属于另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
+        "{material} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
+    "{model} takes no measurement: name one of its presets, or another model.":
+        "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "未知{name} {value!r}；有效值：{valid}。",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
         "未知{name} {value!r}；您是指 {near} 吗？有效值：{valid}。",
     "{preset} has no dataset of the database, so there is nothing to compare: its values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.":
         "{preset} 没有数据库中的数据集，因此无可比较：其数值为预设自有。请指定另一预设，或如 'main/Au/Babar' 的数据集。",
+    "{preset} is a preset of {model}: leave the model out, or name that one.":
+        "{preset} 是 {model} 的预设：请省略模型，或指定该模型。",
+    "{preset} was not measured: it is a preset of {model}, which has no spectrum to bake. Make a material of it, or name a measured preset such as 'copper'.":
+        "{preset} 没有测量数据：它是 {model} 的预设，没有可烘焙的光谱。请用它创建材质，或指定一个测量预设，例如 'copper'。",
 }

@@ -51,8 +51,6 @@ TEXTS = {
         "Erst ein Material von Facet & Film anwenden: Es gibt nichts zu speichern",
     "Apply to Node":
         "Auf Node anwenden",
-    "As Cook and Torrance published them in 1982":
-        "Wie von Cook und Torrance 1982 veröffentlicht",
     "Asset Library":
         "Asset-Bibliothek",
     "At 0°":
@@ -105,14 +103,16 @@ TEXTS = {
         "Farbe über dem Winkel: cos_theta, r, g, b",
     "Compare Measurements":
         "Messungen vergleichen",
-    "Cook–Torrance Exact":
+    "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
+        "Cook und Torrance 1982 mit eingebauten Shadern: mit Licht-Sampling, auf jedem Gerät und in EEVEE",
+    "Cook-Torrance Exact":
         "Cook–Torrance exakt",
-    "Cook–Torrance Fast":
+    "Cook-Torrance Fast":
         "Cook–Torrance schnell",
-    "Cook–Torrance OSL":
+    "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals":
-        "Kristalle",
+    "Crystals and Gems":
+        "Kristalle und Edelsteine",
     "Cut every channel off at 0 and 1":
         "Schneidet jeden Kanal bei 0 und 1 ab",
     "Darken all colours of the material alike, until the largest channel fits":
@@ -139,6 +139,8 @@ TEXTS = {
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Edge Tint":
         "Randtönung",
+    "Every parameter":
+        "Alle Parameter",
     "Everything in this file is of this version":
         "Alles in dieser Datei ist von dieser Version",
     "Everything that was baked":
@@ -161,10 +163,6 @@ TEXTS = {
         "F82-Tönung",
     "F82 tint":
         "F82-Tönung",
-    "Facets with native closures; also in EEVEE":
-        "Facetten mit eingebauten Shadern; auch in EEVEE",
-    "Facets with rms slope m, conductor Fresnel, diffuse part (1982)":
-        "Facetten mit mittlerer Steigung m, Fresnel für Leiter, diffuser Anteil (1982)",
     "Fast":
         "Schnell",
     "File":
@@ -191,6 +189,8 @@ TEXTS = {
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
     "Glasses":
         "Gläser",
+    "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
+        "Das geschichtete RGB-Modell von Granier und Heidrich mit eingebauten Shadern, auch in EEVEE",
     "Greatest Thickness":
         "Größte Dicke",
     "Group":
@@ -205,8 +205,6 @@ TEXTS = {
         "Im Asset-Browser als Facet & Film",
     "Inside, unchanged":
         "Innerhalb, unverändert",
-    "Interference and colour separation in a thin layer (Granier and Heidrich)":
-        "Interferenz und Farbtrennung in einer dünnen Schicht (Granier und Heidrich)",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
     "Kind":
@@ -215,6 +213,8 @@ TEXTS = {
         "Große Sehfelder",
     "Layer Thickness":
         "Schichtdicke",
+    "Layered Films":
+        "Geschichtete Filme",
     "Layered RGB Exact":
         "Layered RGB exakt",
     "Layered RGB Fast":
@@ -251,8 +251,6 @@ TEXTS = {
         "Messung",
     "Metals":
         "Metalle",
-    "Model":
-        "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -315,8 +313,6 @@ TEXTS = {
         "Reflexionsgrad bei senkrechtem Einfall",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
         "Reflexionsgrad bei senkrechtem Einfall und F82-Tönung für Rot, Grün und Blau",
-    "Reflectance model":
-        "Reflexionsmodell",
     "Refractive Index":
         "Brechungsindex",
     "Refractive Index n":
@@ -385,12 +381,20 @@ TEXTS = {
         "Textur",
     "Texture Share":
         "Texturanteil",
-    "The Paper's Figures":
-        "Abbildungen der Veröffentlichung",
+    "The Papers' Figures":
+        "Abbildungen der Veröffentlichungen",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
+    "The formula of Cook and Torrance 1982 itself as an OSL script":
+        "Die Formel von Cook und Torrance 1982 selbst als OSL-Skript",
+    "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device":
+        "Die Formel von Cook und Torrance 1982 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
+    "The formula of Granier and Heidrich 2003 itself as an OSL script":
+        "Die Formel von Granier und Heidrich 2003 selbst als OSL-Skript",
+    "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device":
+        "Die Formel von Granier und Heidrich 2003 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
     "The library is in Preferences, File Paths already":
         "Die Bibliothek steht schon unter Einstellungen, Dateipfade",
     "The library is not in the preferences":
@@ -405,14 +409,10 @@ TEXTS = {
         "Die Voreinstellung {file!r} lässt sich nicht lesen.",
     "The processor":
         "Der Prozessor",
-    "The published formula as an OSL script":
-        "Die veröffentlichte Formel als OSL-Skript",
     "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
         "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
-    "The published formula, nodes alone":
-        "Die veröffentlichte Formel, allein mit Nodes",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
     "The second Blender ended with status {:d}: {:s}":
@@ -425,10 +425,8 @@ TEXTS = {
         "Es gibt schon eine Voreinstellung namens {:s}",
     "Thickness":
         "Dicke",
-    "Thickness in nanometres that varies over the surface, with its lower normal":
-        "Dicke in Nanometern, die über die Fläche wechselt, mit ihrer unteren Normalen",
-    "Thin layer with native closures; also in EEVEE":
-        "Dünne Schicht mit eingebauten Shadern; auch in EEVEE",
+    "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
+        "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
     "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
         "Dieses Blender ist ohne OSL gebaut: die Realisierung Exakt oder Schnell nehmen, die dasselbe Material rendern",
     "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
@@ -485,8 +483,8 @@ TEXTS = {
         "Workbench zeigt nur die Ansichtsfarbe: In den Render-Eigenschaften Cycles wählen",
     "Working Space":
         "Arbeitsfarbraum",
-    "Write what was baked into the active material as JSON, CSV or MaterialX":
-        "Schreibt, was in das aktive Material gebacken wurde, als JSON, CSV oder MaterialX",
+    "Write the active material as its node holds it now: JSON, CSV or MaterialX":
+        "Schreibt das aktive Material, wie sein Node es jetzt enthält: JSON, CSV oder MaterialX",
     "Wrote {:s}":
         "{:s} geschrieben",
     "You have saved no preset yet":
@@ -613,10 +611,6 @@ TEXTS = {
         "{:s} angewandt",
     "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
         "{:s} aus {:s} gebacken: größter CIEDE2000 der Anpassung {:.2f}",
-    "{:s} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
-        "{:s} ist eine Bibliotheksüberschreibung, deren Nodes und Slots einer anderen Datei gehören: erst lokal machen (Objekt, Relationen, Lokal machen)",
-    "{:s} is linked from another file: make it local first (Object, Relations, Make Local)":
-        "{:s} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
     "{:s} is linked: update it in {:s}":
         "{:s} ist verknüpft: in {:s} aktualisieren",
     "{:s} renders by {:s}":
@@ -639,14 +633,26 @@ TEXTS = {
         "{file!r} wird schon geschrieben; wenn nicht, {aside!r} entfernen.",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
-    "{material} holds no measurement: bake a Cook-Torrance preset first.":
-        "{material} enthält keine Messung: erst eine Voreinstellung von Cook-Torrance backen.",
+    "{material} has no Principled BSDF that comes close: name a measured preset.":
+        "{material} hat keinen Principled BSDF, der nahe kommt: eine gemessene Voreinstellung nennen.",
+    "{material} holds no measurement: bake a measured preset first.":
+        "{material} enthält keine Messung: erst eine gemessene Voreinstellung backen.",
+    "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
+        "{material} ist eine Bibliotheksüberschreibung, deren Nodes und Slots einer anderen Datei gehören: erst lokal machen (Objekt, Relationen, Lokal machen)",
+    "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
+        "{material} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
+    "{model} takes no measurement: name one of its presets, or another model.":
+        "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "{name} {value!r} ist unbekannt; gültig: {valid}.",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
         "{name} {value!r} ist unbekannt; war {near} gemeint? Gültig: {valid}.",
     "{preset} has no dataset of the database, so there is nothing to compare: its values are the preset's own. Name another preset, or a dataset such as 'main/Au/Babar'.":
         "{preset} hat keinen Datensatz der Datenbank, es gibt also nichts zu vergleichen: Die Werte sind eigene der Voreinstellung. Bitte eine andere Voreinstellung nennen oder einen Datensatz wie 'main/Au/Babar'.",
+    "{preset} is a preset of {model}: leave the model out, or name that one.":
+        "{preset} ist eine Voreinstellung von {model}: das Modell weglassen oder jenes nennen.",
+    "{preset} was not measured: it is a preset of {model}, which has no spectrum to bake. Make a material of it, or name a measured preset such as 'copper'.":
+        "{preset} wurde nicht gemessen: es ist eine Voreinstellung von {model} und hat kein Spektrum zum Backen. Ein Material daraus machen oder eine gemessene Voreinstellung wie 'copper' nennen.",
 }

@@ -1,0 +1,1 @@
+"""The asset library, and small pictures of presets."""

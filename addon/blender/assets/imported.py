@@ -1,0 +1,55 @@
+"""Materials of ours that are appended or dragged in.
+
+Each brings its own copy of its group, which becomes one with the file's.  And where n and k are for another Blender's
+conductor Fresnel (4.5 evaluates another than 5.0 and later; the asset library holds one set of numbers) they are baked
+again.
+"""
+
+import bpy
+
+from .. import compat
+from ..datablocks.fingerprints import ID_KEY
+from ..datablocks.groups import VERSION_KEY, group_of, node_group
+from ..datablocks.locked import is_editable
+from ..datablocks.materials import baked_of, our_node, record_of, write
+
+__all__ = ["attach", "detach"]
+
+
+@bpy.app.handlers.persistent
+def _after_import(imported, *_):
+    arrived = [item.id for item in imported.import_items if item.id is not None]
+    materials = [one for one in arrived if isinstance(one, bpy.types.Material) and _is_for_another_blender(one)]
+    trees = {one.get(ID_KEY) for one in arrived if isinstance(one, bpy.types.NodeTree) and _is_current(one)}
+    for material in materials:
+        _renew(material)
+    for identifier in trees:
+        node_group(identifier)
+
+
+def _is_for_another_blender(material):
+    if not is_editable(material) or our_node(material) is None:
+        return False
+    fit = baked_of(material).get("conductor")
+    return fit is not None and fit["formula"] != compat.conductor_formula()
+
+
+def _is_current(tree):
+    group = group_of(tree.get(ID_KEY))
+    return group is not None and is_editable(tree) and tree.get(VERSION_KEY) == group.version
+
+
+def _renew(material):
+    """Bake a material again for this Blender, where what was baked is still as it was."""
+    from ...models.making import renewed
+    write(material, renewed(record_of(material), compat.renderer()))
+
+
+def attach():
+    """Look at what is imported from now on."""
+    bpy.app.handlers.blend_import_post.append(_after_import)
+
+
+def detach():
+    """No longer."""
+    bpy.app.handlers.blend_import_post.remove(_after_import)

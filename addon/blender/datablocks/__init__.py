@@ -1,0 +1,1 @@
+"""Our datablocks in the open file: node groups, materials, ramps."""

@@ -1,0 +1,255 @@
+"""Our materials, whatever the model: a group node with its sockets set, wired to the output, and the record kept."""
+
+import bpy
+
+from ...errors import FacetFilmError
+from ...models.record import Record, baked_in, from_json
+from ..compat import enable_nodes
+from .groups import (EEVEE_OUTPUT, VERSION_KEY, edited, group_id, input_names, model_of_group, node_group,
+                     output_named, socket_named)
+
+__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "model_of", "our_node", "parameters_of",
+           "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
+
+RECORD_KEY = "facet_film"
+NODE_WIDTH = 240
+FEED_WIDTH = 200
+
+
+# --- A record into a material ---
+
+def create(record: Record, name: str | None = None, material: bpy.types.Material | None = None) -> bpy.types.Material:
+    """A new material of a record, or an existing one made over.
+
+    name  of the material; by default the record's title, also for one that still bears its old record's
+    """
+    if material is None:
+        material = bpy.data.materials.new(name or record.title)
+    elif name or material.name.rsplit(".", 1)[0] == baked_of(material).get("title"):
+        material.name = name or record.title
+    write(material, record)
+    return material
+
+
+def require_name(name) -> None:
+    """Raise FacetFilmError for what cannot be a material's name; None is none."""
+    if name is not None and (not isinstance(name, str) or not name):
+        raise FacetFilmError("name must be a text with at least one letter, not {text!r}.", text=name)
+
+
+def write(material: bpy.types.Material, record: Record) -> None:
+    """Make the material what the record says, in place of what fed its surface.
+
+    Links into a node of ours that is there already stay.
+    """
+    enable_nodes(material)
+    node = our_node(material)
+    if node is None:
+        material.node_tree.nodes.clear()
+        node = material.node_tree.nodes.new("ShaderNodeGroup")
+        node.width = NODE_WIDTH
+    write_node(material.node_tree, node, record)
+    material[RECORD_KEY] = record.to_json()
+    _show_in_viewport(material, record)
+
+
+def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -> None:
+    """Make one of our group nodes what the record says: its group, its values, and the nodes that feed it."""
+    model = model_of_group(record.group)
+    if not (group_id(node.node_tree) == record.group and edited(node.node_tree)):
+        _set_group(tree, node, node_group(record.group))
+    for name, value in model.written(record.parameters, record.realisation).items():
+        socket_named(node, name).default_value = value
+    _write_feeds(tree, node, model, model.feeds(record.parameters))
+
+
+def _show_in_viewport(material, record):
+    """Colour and gloss for the Solid viewport.
+
+    Not metallic: there is nothing for a metal to mirror there, and it would be dark.
+    """
+    seen = model_of_group(record.group).look(record.parameters, None)
+    material.diffuse_color = (*map(float, seen.colour), 1.0)
+    material.metallic = 0.0
+    material.roughness = float(seen.slope) ** 0.5
+
+
+def _write_feeds(tree, node, model, feeds):
+    """Have just these groups of the model feed the node; what else is plugged in stays."""
+    there = _feeding(node, model)
+    for identifier, feed in there.items():
+        if identifier not in {wanted.group for wanted in feeds}:
+            tree.nodes.remove(feed)
+    for wanted in feeds:
+        feed = there.get(wanted.group) or _new_feed(tree, node, wanted.group)
+        for name, value in wanted.values.items():
+            socket_named(feed, name).default_value = value
+        _link_feed(tree, node, feed, wanted.links)
+
+
+def _new_feed(tree, node, identifier):
+    feed = tree.nodes.new("ShaderNodeGroup")
+    feed.node_tree = node_group(identifier)
+    feed.location = (node.location.x - FEED_WIDTH - 80, node.location.y)
+    feed.width = FEED_WIDTH
+    return feed
+
+
+def _link_feed(tree, node, feed, links):
+    for link in [link for link in tree.links if link.from_node == feed and link.to_node == node]:
+        if (link.from_socket.name, link.to_socket.name) not in links.items():
+            tree.links.remove(link)
+    for output, name in links.items():
+        tree.links.new(output_named(feed, output), socket_named(node, name))
+
+
+def _feeding(node, model):
+    """{group's id: node} of the model's groups that feed the node."""
+    own = {group.identifier for group in model.groups}
+    found = {}
+    for link in [link for socket in node.inputs for link in socket.links]:
+        identifier = group_id(getattr(link.from_node, "node_tree", None))
+        if identifier in own:
+            found[identifier] = link.from_node
+    return found
+
+
+# --- A record out of a material ---
+
+def record_of(material: bpy.types.Material) -> Record:
+    """What one of our materials is made of, as its nodes hold it now.
+
+    Textures on a socket are not seen.  Raises FacetFilmError for a material
+    that is not ours, and where someone set sockets to what cannot be.
+    """
+    node = our_node(material)
+    if node is None:
+        raise FacetFilmError("{material} is not a material of Facet & Film: make one with create_material() "
+                             "or Bake Spectral Preset.", material=material.name)
+    return from_json(material.get(RECORD_KEY, ""), record_of_node(node))
+
+
+def record_of_node(node: bpy.types.Node) -> Record:
+    """What one of our group nodes holds: parameters, and how they are rendered."""
+    identifier = group_id(node.node_tree)
+    model, realisation = found_in(node.node_tree)
+    feeds = {name: (_values(feed), {link.from_socket.name for link in node.id_data.links
+                                    if link.from_node == feed and link.to_node == node})
+             for name, feed in _feeding(node, model).items()}
+    return Record(model.name, realisation, identifier, node.node_tree.get(VERSION_KEY, 0),
+                  model.read(_values(node), feeds))
+
+
+def _values(node):
+    """{socket: value} of a group node; of colours without alpha."""
+    found = {}
+    for name in input_names(node.node_tree):
+        value = socket_named(node, name).default_value
+        found[name] = tuple(value)[:3] if hasattr(value, "__len__") else value
+    return found
+
+
+def parameters_of(material):
+    """The parameters that one of our materials holds; textures on a socket are not seen."""
+    return record_of_node(our_node(material)).parameters
+
+
+def baked_of(material):
+    """What was baked into a material, ready for JSON; {} for others."""
+    return baked_in(material.get(RECORD_KEY, ""))
+
+
+def our_node(material):
+    """The node of one of our groups that the material renders with, or None."""
+    if material is None or material.node_tree is None:
+        return None
+    for node in material.node_tree.nodes:
+        if node.bl_idname == "ShaderNodeGroup" and found_in(node.node_tree) is not None:
+            return node
+    return None
+
+
+def found_in(tree):
+    """(Model, realisation) of a node group, or None for one that renders no material of ours."""
+    identifier = group_id(tree)
+    model = model_of_group(identifier)
+    realisation = model and model.realisation_of(identifier)
+    return (model, realisation[0]) if realisation else None
+
+
+def model_of(material):
+    """The Model of a material, or None for one that is not ours."""
+    node = our_node(material)
+    return found_in(node.node_tree)[0] if node else None
+
+
+def realisation_of(material):
+    """Name of a material's realisation, or None for one that is not ours."""
+    node = our_node(material)
+    return found_in(node.node_tree)[1] if node else None
+
+
+# --- Groups of nodes, exchanged ---
+
+def exchange_group(tree, node, group):
+    """Put another version of its group into a node; values and links stay, outputs of the same name too."""
+    targets = [(link.from_socket.name, link.to_socket) for output in node.outputs for link in output.links]
+    _set_values(tree, node, group)
+    for name, target in targets:
+        found = next((output for output in node.outputs if output.name == name), None)
+        if found is not None:
+            tree.links.new(found, target)
+
+
+def _set_group(tree, node, group):
+    """Give the node this group; values and links go over to sockets of the same name."""
+    if node.node_tree == group:
+        return
+    was_output = node.node_tree is None or _feeds_output(node)
+    targets = [link.to_socket for output in node.outputs[:1] for link in output.links]
+    _set_values(tree, node, group)
+    if was_output:
+        _wire_outputs(tree, node)
+    else:
+        for target in targets:
+            tree.links.new(node.outputs[0], target)
+
+
+def _feeds_output(node):
+    return any(link.to_node.bl_idname == "ShaderNodeOutputMaterial" for output in node.outputs for link in output.links)
+
+
+def _set_values(tree, node, group):
+    """Give the node this group with the values and links that it had."""
+    values, sources = {}, {}
+    if node.node_tree is not None:
+        for name in input_names(node.node_tree):
+            socket = socket_named(node, name)
+            if hasattr(socket, "default_value"):
+                value = socket.default_value
+                values[name] = tuple(value) if hasattr(value, "__len__") else value
+            if socket.is_linked:
+                sources[name] = socket.links[0].from_socket
+    node.node_tree = group
+    node.label = group.name
+    for name in input_names(group):
+        if name in values:
+            socket_named(node, name).default_value = values[name]
+        if name in sources:
+            tree.links.new(sources[name], socket_named(node, name))
+
+
+def _wire_outputs(tree, node):
+    """One material output for all engines, or one for Cycles and one for EEVEE where the group has two shaders."""
+    for output in [n for n in tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]:
+        if output.inputs[0].is_linked and output.inputs[0].links[0].from_node != node:
+            continue
+        tree.nodes.remove(output)
+    wanted = {"ALL": 0}
+    if len(node.outputs) > 1 and node.outputs[1].name == EEVEE_OUTPUT:
+        wanted = {"CYCLES": 0, "EEVEE": 1}
+    for target, index in wanted.items():
+        output = tree.nodes.new("ShaderNodeOutputMaterial")
+        output.target = target
+        output.location = (node.location.x + NODE_WIDTH + 60, node.location.y - 160 * index)
+        tree.links.new(node.outputs[index], output.inputs[0])

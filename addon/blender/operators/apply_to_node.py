@@ -1,0 +1,75 @@
+"""The operator that bakes a preset into one group node."""
+
+import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
+
+from ...errors import FacetFilmError
+from .. import compat
+from ..datablocks.groups import group_id
+from ..datablocks.locked import why_locked
+from ..datablocks.materials import found_in, our_node, write, write_node
+from ..datablocks.ramps import RAMP_ID
+from ..settings import Viewing, preset_property, viewing_of
+
+__all__ = ["CLASSES", "takes_presets", "write_preset"]
+
+
+def takes_presets(node):
+    """Whether a node takes presets: one that renders a material of ours, or a ramp."""
+    tree = getattr(node, "node_tree", None)
+    return group_id(tree) == RAMP_ID or found_in(tree) is not None
+
+
+def write_preset(node, preset, viewing, owner=None):
+    """Write a preset into one of our group nodes, with the group that belongs to it; what is plugged in stays.
+
+    owner  the material whose tree it is: its record follows where the node is what it renders with
+
+    Raises FacetFilmError for an unknown preset, and for one whose model lacks the node's realisation.
+    """
+    from ...api import create_fresnel_ramp
+    from ...models.making import made
+    if group_id(node.node_tree) == RAMP_ID:
+        node.node_tree = create_fresnel_ramp(preset, **viewing)
+        node.label = node.node_tree.name
+        return
+    _, realisation = found_in(node.node_tree)
+    record = made(preset=preset, realisation=realisation, renderer=compat.renderer(), viewing=viewing)
+    if isinstance(owner, bpy.types.Material) and our_node(owner) == node:
+        write(owner, record)
+    else:
+        write_node(node.id_data, node, record)
+
+
+class FACET_FILM_OT_apply_to_node(Viewing, bpy.types.Operator):
+    """Bake a preset into the selected group node; what is plugged into it stays"""
+
+    bl_idname = "facet_film.apply_to_node"
+    bl_label = "Apply to Node"
+    bl_options = {"REGISTER", "UNDO"}
+
+    preset: preset_property()
+
+    @classmethod
+    def poll(cls, context):
+        """Needs a node of ours in a tree of this file."""
+        node = getattr(context, "active_node", None)
+        reason = "" if takes_presets(node) else rpt_("Select a group node of Facet & Film first")
+        if not reason:
+            reason = why_locked(context.space_data.id) or why_locked(node.id_data)
+        if reason:
+            cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context):
+        """Bake and write the sockets, or change the ramp."""
+        try:
+            write_preset(context.active_node, self.preset, viewing_of(self), context.space_data.id)
+        except FacetFilmError as error:
+            self.report({"ERROR"}, error.said(rpt_))
+            return {"CANCELLED"}
+        self.report({"INFO"}, rpt_("{:s} applied").format(self.preset))
+        return {"FINISHED"}
+
+
+CLASSES = (FACET_FILM_OT_apply_to_node,)

@@ -1,0 +1,54 @@
+"""The operators that add the asset library to the preferences, and take it off."""
+
+import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
+
+from ..assets.library import FOLDER, NAME, detach, ours
+
+__all__ = ["CLASSES"]
+
+
+class FACET_FILM_OT_add_asset_library(bpy.types.Operator):
+    """Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths"""
+
+    bl_idname = "facet_film.add_asset_library"
+    bl_label = "Add Asset Library"
+
+    @classmethod
+    def poll(cls, _context):
+        """Off where it is there already."""
+        if ours():
+            cls.poll_message_set(rpt_("The library is in Preferences, File Paths already"))
+            return False
+        return True
+
+    def execute(self, context):
+        """Point the preferences at the folder that came with the extension."""
+        context.preferences.filepaths.asset_libraries.new(name=NAME, directory=str(FOLDER))
+        context.preferences.is_dirty = True
+        self.report({"INFO"}, rpt_("Open an Asset Browser and choose the library {:s}: drag a material onto an object").format(NAME))
+        return {"FINISHED"}
+
+
+class FACET_FILM_OT_remove_asset_library(bpy.types.Operator):
+    """Take the library off the Asset Browser again; what was dragged from it stays"""
+
+    bl_idname = "facet_film.remove_asset_library"
+    bl_label = "Remove Asset Library"
+
+    @classmethod
+    def poll(cls, _context):
+        """Off where it is not there."""
+        if not ours():
+            cls.poll_message_set(rpt_("The library is not in the preferences"))
+            return False
+        return True
+
+    def execute(self, _context):
+        """Take off every entry that points into this extension."""
+        detach()
+        self.report({"INFO"}, rpt_("The library {:s} is no longer in the preferences").format(NAME))
+        return {"FINISHED"}
+
+
+CLASSES = (FACET_FILM_OT_add_asset_library, FACET_FILM_OT_remove_asset_library)

@@ -1,0 +1,73 @@
+"""The operators that bake: a preset into the active material slot, and a material's own measurement again."""
+
+import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
+
+from ...errors import FacetFilmError
+from ..datablocks.locked import why_locked
+from ..datablocks.materials import baked_of
+from ..settings import Viewing, preset_property, realisation_property, viewing_of
+from .targets import OnActiveObject, active_material, put_on_selected, said_of, target_material
+
+__all__ = ["CLASSES"]
+
+
+class FACET_FILM_OT_bake_preset(OnActiveObject, Viewing, bpy.types.Operator):
+    """Bake a material into the active material slot of the active object, and put it on the other selected ones"""
+
+    bl_idname = "facet_film.bake_preset"
+    bl_label = "Bake Spectral Preset"
+    bl_options = {"REGISTER", "UNDO"}
+
+    preset: preset_property()
+    realisation: realisation_property()
+
+    def execute(self, context):
+        """Bake, and put the material in the slots."""
+        from ...api import create_material
+        try:
+            with target_material(context.active_object) as target:
+                target.material = create_material(preset=self.preset, realisation=self.realisation,
+                                                  material=target.material, viewing=viewing_of(self))
+        except FacetFilmError as error:
+            self.report({"ERROR"}, error.said(rpt_))
+            return {"CANCELLED"}
+        left_out = put_on_selected(context)
+        said = said_of(context.active_object.active_material)
+        if left_out:
+            said += ". " + rpt_("Left out, as they take no materials or are linked: {:s}").format(", ".join(left_out))
+        self.report({"WARNING"} if left_out else {"INFO"}, said)
+        return {"FINISHED"}
+
+
+class FACET_FILM_OT_rebake(Viewing, bpy.types.Operator):
+    """Bake this material's measurement again in the light and working space chosen here; what else you set stays"""
+
+    bl_idname = "facet_film.rebake"
+    bl_label = "Re-bake"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        """Needs a material of this file with a measurement."""
+        material = active_material(context)
+        reason = why_locked(material) if material else ""
+        if material is None or "conductor" not in baked_of(material):
+            reason = rpt_("Bake a measured material first: there is nothing to bake again")
+        if reason:
+            cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context):
+        """Bake, write, say what came out."""
+        from ...api import rebake
+        try:
+            rebake(active_material(context), viewing_of(self))
+        except FacetFilmError as error:
+            self.report({"ERROR"}, error.said(rpt_))
+            return {"CANCELLED"}
+        self.report({"INFO"}, said_of(active_material(context)))
+        return {"FINISHED"}
+
+
+CLASSES = (FACET_FILM_OT_bake_preset, FACET_FILM_OT_rebake)

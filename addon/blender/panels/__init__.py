@@ -1,0 +1,1 @@
+"""Panels and menus, a file each, and what they share."""

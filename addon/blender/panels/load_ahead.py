@@ -1,0 +1,27 @@
+"""What the first preset needs, loaded while Blender is idle: no start-up and no click waits for it."""
+
+import bpy
+
+__all__ = ["when_idle", "forget", "load"]
+
+_asked = []
+
+
+def when_idle():
+    """Load once, as soon as the window has nothing else to do: called where the button that needs it is drawn."""
+    if not _asked and not bpy.app.background:
+        _asked.append(True)
+        bpy.app.timers.register(load, persistent=True)  # opening a file drops the others
+
+
+def forget():
+    """Load no more, if it has not come to that yet."""
+    _asked.clear()
+    if bpy.app.timers.is_registered(load):
+        bpy.app.timers.unregister(load)
+
+
+def load():
+    """Bake a preset and forget it: the modules and the tables are there from then on."""
+    from ...models.making import made
+    made(preset="copper")

@@ -1,0 +1,64 @@
+"""The sidebar tab of the Shader Editor: presets and parameters of the selected group."""
+
+import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
+
+from ..datablocks.locked import why_locked
+from ..operators.apply_to_node import takes_presets
+from ..settings import copy_viewing
+from .drawing import draw_parameters, draw_sentence
+from .picker import draw_card
+
+__all__ = ["CLASSES"]
+
+
+class _Tab:
+    bl_space_type = "NODE_EDITOR"
+    bl_region_type = "UI"
+    bl_category = "Facet & Film"
+
+
+class FACET_FILM_PT_node(_Tab, bpy.types.Panel):
+    """Presets of the selected group"""
+
+    bl_label = "Preset"
+
+    @classmethod
+    def poll(cls, context):
+        """Shown in shader trees."""
+        return context.space_data.tree_type == "ShaderNodeTree" and context.space_data.edit_tree is not None
+
+    def draw(self, context):
+        """The card, or what to do first."""
+        if not takes_presets(context.active_node):
+            draw_sentence(self.layout, rpt_("Select a group of Facet & Film, or add one: Add, Facet & Film"), "INFO",
+                          context.region)
+            return
+        settings = context.window_manager.facet_film
+        self.layout.label(text=context.active_node.node_tree.name, icon="NODETREE", translate=False)
+        draw_card(self.layout, settings, lambda column: _draw_apply(column, settings), realisation=False)
+
+
+def _draw_apply(layout, settings):
+    operator = layout.operator("facet_film.apply_to_node", icon="SHADING_RENDERED")
+    operator.preset = settings.preset
+    copy_viewing(settings, operator)
+
+
+class FACET_FILM_PT_node_parameters(_Tab, bpy.types.Panel):
+    """Parameters of the selected group"""
+
+    bl_label = "Parameters"
+
+    @classmethod
+    def poll(cls, context):
+        """Shown for a node of ours."""
+        return context.space_data.tree_type == "ShaderNodeTree" and takes_presets(context.active_node)
+
+    def draw(self, context):
+        """The sockets."""
+        self.layout.enabled = not why_locked(context.space_data.id)
+        draw_parameters(self.layout, context.active_node)
+
+
+CLASSES = (FACET_FILM_PT_node, FACET_FILM_PT_node_parameters)

@@ -1,0 +1,117 @@
+"""What a word means: a preset, an alias, a dataset, a file or pasted text.  The only place that decides it."""
+
+import os
+from typing import NamedTuple
+
+from ..errors import FacetFilmError
+from ..spectra import names, observers
+from ..spectra.optical_constants import OpticalConstants, load
+from . import presets
+from .presets import Preset
+
+__all__ = ["Resolved", "require_measured", "resolve", "resolve_widely"]
+
+
+class Resolved(NamedTuple):
+    """What a word means.
+
+    preset     the Preset; for a dataset, file or text one without a model
+    constants  its OpticalConstants, or None where it was not measured
+    """
+
+    preset: Preset
+    constants: OpticalConstants | None
+
+    @property
+    def is_own(self):
+        """Whether the measurement is the user's, which no database holds."""
+        return self.constants is not None and not self.preset.model and not _is_dataset(self.preset.dataset)
+
+
+def resolve(what):
+    """The Resolved of whatever names a material.
+
+    what  a preset's name, alias or title, a dataset's id "shelf/book/page", the path of a file, a table of several
+          lines as text, OpticalConstants, or a Resolved
+
+    A preset's name is that preset, whatever file lies in the folder.  Raises FacetFilmError, with what comes nearest.
+
+    >>> resolve("Cu").preset.name, resolve("main/Cu/Johnson").preset.kind
+    ('copper', 'metal')
+    >>> resolve("nacre").constants is None
+    True
+    """
+    if isinstance(what, Resolved):
+        return what
+    if isinstance(what, OpticalConstants):
+        return Resolved(_unnamed(what), what)
+    if not isinstance(what, str):
+        raise FacetFilmError("A material is a preset's name or a dataset's id, not {value!r}.", value=what)
+    from ..spectra import readers
+    if "\n" in what:
+        return resolve(readers.read_text(what))
+    if what.lower().endswith(readers.SUFFIXES):
+        return resolve(readers.read_file(what))
+    try:
+        return _named(what)
+    except FacetFilmError:
+        if os.path.isfile(what):
+            return resolve(readers.read_file(what))
+        raise
+
+
+def resolve_widely(what):
+    """The same; words that name nothing are the best that a search finds of what has a dataset.
+
+    >>> resolve_widely("babar gold").preset.dataset
+    'main/Au/Babar'
+    """
+    try:
+        return resolve(what)
+    except FacetFilmError:
+        from .search import search
+        found = [entry for entry in search(what, 20) if entry.dataset] if isinstance(what, str) and what.count("/") < 2 else ()
+        if not found:
+            raise
+        return resolve(found[0].dataset)
+
+
+def require_measured(what):
+    """The Resolved of a material that was measured.
+
+    Raises FacetFilmError for a preset that was not, and as :func:`resolve` does.
+    """
+    found = resolve(what)
+    if found.constants is None:
+        raise FacetFilmError("{preset} was not measured: it is a preset of {model}, which has no spectrum to bake. "
+                             "Make a material of it, or name a measured preset such as 'copper'.",
+                             preset=found.preset.title, model=found.preset.model)
+    return found
+
+
+def _named(word):
+    """A preset's or a dataset's."""
+    if "/" in word:
+        constants = load(word)
+        return Resolved(_unnamed(constants), constants)
+    try:
+        preset = presets.find(word)
+    except FacetFilmError:
+        from .search import search
+        fitting = search(word, 4, guess=False) if word.strip() else []
+        if not fitting:
+            raise
+        some = ", ".join(repr(found.id) for found in fitting[:3]) + (", …" if len(fitting) > 3 else "")
+        raise FacetFilmError("preset {preset!r} is unknown; what fits these words: {found}.",
+                             preset=word, found=some) from None
+    return Resolved(preset, presets.constants(preset))
+
+
+def _unnamed(constants):
+    mean_k = float(constants.at(observers.WAVELENGTH_NM)[1].mean())
+    kind = names.kind_of(constants.dataset, mean_k) if _is_dataset(constants.dataset) else "measured"
+    return Preset(constants.dataset, constants.title or constants.dataset, kind, dataset=constants.dataset)
+
+
+def _is_dataset(identifier):
+    return identifier.count("/") >= 2 and not identifier.startswith("file:")

@@ -1,0 +1,86 @@
+"""Cook and Torrance 1982: facets with a rms slope, the Fresnel reflectance of a measured material, a diffuse part."""
+
+from ..model import Form, Group, Model
+from .parameters import CookTorrance
+
+__all__ = ["MODEL"]
+
+
+def _evaluate(parameters, n, v, l):
+    from .formulas import evaluate
+    return evaluate(parameters, n, v, l)
+
+
+def _bake(resolved, viewing, realisation, renderer):
+    from .baking import bake_for
+    return bake_for(resolved, viewing, realisation, renderer)
+
+
+def _facts(resolved, baked):
+    from .baking import facts
+    return facts(resolved, baked)
+
+
+def _look(parameters, place=None):
+    from .baking import look
+    return look(parameters)
+
+
+def _write_form(form, record):
+    from .forms import write_form
+    return write_form(form, record)
+
+
+def _principled(record):
+    from .forms import principled
+    return principled(record)
+
+
+def _as_baked(parameters, facts):
+    """Whether n and k are still those that were fitted."""
+    found, baked = (*parameters.n, *parameters.k), (*facts["conductor"]["n"], *facts["conductor"]["k"])
+    return all(abs(a - b) <= 1e-5 * max(1.0, abs(b)) for a, b in zip(found, baked))
+
+
+MODEL = Model(
+    package=__name__,
+    title="Cook–Torrance",
+    summary="Facets with rms slope m, conductor Fresnel, diffuse part (1982)",
+    citation='R. L. Cook, K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM Transactions on Graphics '
+             "1(1), 1982",
+    parameters=CookTorrance,
+    groups=(
+        Group("cook_torrance_fast", "Cook-Torrance Fast", 1, "fast.build",
+              "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE"),
+        Group("cook_torrance_fast_f82", "Cook-Torrance Fast F82", 1, "fast.build_f82",
+              "Cook-Torrance Fast for dielectrics in Blender 4.5, whose conductor Fresnel misses them", in_menu=False),
+        Group("cook_torrance_exact", "Cook-Torrance Exact", 1, "exact.build",
+              "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device",
+              stand_in="cook_torrance_fast"),
+        Group("cook_torrance_osl", "Cook-Torrance OSL", 1, "osl.build",
+              "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast", osl=True),
+        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 1, "osl.build_fast",
+              "Native closures from an OSL script", stand_in="cook_torrance_fast", osl=True, in_menu=False),
+    ),
+    realisations={
+        "fast": ("cook_torrance_fast", "cook_torrance_fast_f82"),
+        "exact": ("cook_torrance_exact",),
+        "osl": ("cook_torrance_osl",),
+        "osl_fast": ("cook_torrance_osl_fast",),
+    },
+    evaluate=_evaluate,
+    facts=_facts,
+    bake=_bake,
+    look=_look,
+    as_baked=_as_baked,
+    baked_names=("n", "k", "diffuse"),
+    forms={
+        "json": Form("JSON", "Everything that was baked", ".json"),
+        "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
+        "spectrum_csv": Form("CSV of the Spectrum", "The measured points: wavelength_nm, n, k", ".csv"),
+        "materialx": Form("MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
+    },
+    write_form=_write_form,
+    principled=_principled,
+    measured=True,
+)

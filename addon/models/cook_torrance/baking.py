@@ -1,0 +1,89 @@
+"""From a measured material to the parameters of Cook and Torrance's model."""
+
+import numpy as np
+
+from ...bake import bake
+from ...bake.colour import rgb_to_xyz
+from ...bake.reflected import Viewing
+from ...reflectance import fresnel
+from ...spectra import observers, optical_constants
+from ..model import REALISATIONS, Baked, Look
+from .parameters import CookTorrance
+
+__all__ = ["bake_for", "diffuse_colour", "facts", "look"]
+
+FAR_OFF = 1.0
+"""CIEDE2000 from which a conductor's fit is given up where F82 comes closer."""
+
+BY_CONDUCTOR, BY_F82 = 0, 1
+"""Variants of a realisation: which closure evaluates F."""
+
+SPECULAR = "specular"
+"""Of a preset's diffuse colour: it is the normal reflectance of the specular part."""
+
+
+def bake_for(resolved, viewing, realisation, renderer):
+    """The Baked of a measured material for one realisation.
+
+    resolved     an addon.catalogue.resolving.Resolved with constants
+    viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut
+    realisation  a name of addon.models.model.REALISATIONS
+    renderer     a Renderer: whose conductor Fresnel n and k are fitted for
+
+    The formulas take the exact equation.  So does F82, which native closures
+    take for a dielectric where Blender 4.5's conductor misses it by several
+    CIEDE2000.
+    """
+    baked, variant = _fitted(resolved, viewing, realisation, renderer)
+    found = facts(resolved, baked)
+    diffuse = tuple(min(max(channel, 0.0), 1.0) for channel in found["diffuse_rgb"])
+    parameters = {**resolved.preset.parameters, "n": baked.conductor.n, "k": baked.conductor.k, "diffuse": diffuse}
+    return Baked(parameters, found, variant)
+
+
+def facts(resolved, baked):
+    """All that was baked: the Bake, and what the preset says of the surface, ready for JSON."""
+    stated = resolved.preset.parameters
+    surface = CookTorrance(**{name: value for name, value in stated.items() if name != "diffuse"}).to_dict()
+    return {**baked.to_dict(), "diffuse_rgb": list(diffuse_colour(stated.get("diffuse", SPECULAR), baked)),
+            **{name: surface[name] for name in ("specular", "slopes", "distribution")}}
+
+
+def _fitted(resolved, viewing, realisation, renderer):
+    """(Bake, variant) of the closure that comes closest."""
+    exact = bake(resolved, **viewing, formula="exact")
+    if not REALISATIONS[realisation].native:
+        return exact, BY_CONDUCTOR
+    native = exact if renderer.formula == "exact" else bake(resolved, **viewing, formula=renderer.formula)
+    by_f82 = native.best == "f82" and native.conductor.delta_e_2000_max > FAR_OFF
+    return (exact, BY_F82) if by_f82 else (native, BY_CONDUCTOR)
+
+
+def diffuse_colour(source, baked):
+    """π·Rd in the space of a Bake, ``(3,)``.
+
+    source  "specular", the normal reflectance of the Bake; the id of a dataset whose normal reflectance it is;
+            or three linear Rec.709 numbers
+
+    Cook and Torrance 1982, section "The reflectance model".
+
+    >>> [round(x, 3) for x in diffuse_colour("main/Cu/Johnson", bake("vinyl"))]
+    [0.932, 0.623, 0.522]
+    """
+    if source == SPECULAR:
+        return baked.normal_rgb
+    viewing = Viewing(baked.illuminant, baked.observer, baked.space, baked.adapted, baked.gamut.method)
+    if isinstance(source, str):
+        n, k = optical_constants.load(source).at(observers.WAVELENGTH_NM)
+        rgb = fresnel.conductor(1.0, n, k) @ viewing.weights
+    else:
+        rgb = np.linalg.solve(rgb_to_xyz(viewing.space), rgb_to_xyz("Rec.709") @ np.array(source, float))
+    return tuple(viewing.map(rgb)[0].tolist())
+
+
+def look(parameters):
+    """The Look of a CookTorrance: normal reflectance and diffuse colour, by their shares."""
+    p, s = parameters, parameters.specular
+    f0 = fresnel.conductor(1.0, np.array(p.n), np.array(p.k))
+    diffuse = (1.0 - s) * np.array(p.diffuse)
+    return Look(s * f0 + diffuse, f0, s, p.slopes[0][0], diffuse)

@@ -1,0 +1,78 @@
+"""Cook-Torrance by the nearest native closures: light-sampled on every device, and in EEVEE.
+
+s * sum_j w_j Metallic(roughness sqrt(m_j)) + d * Diffuse is the 1982 model with
+Smith's G in place of the V-cavity G, since the Beckmann closure of roughness
+sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.
+
+Blender 4.5's conductor Fresnel is far off where k is 0.  For dielectrics there
+the group F82 has the same sockets; F0 and F82 tint are worked out from n and k,
+and the Metallic BSDF interpolates between them.
+"""
+
+from ...operands import clip, sqrt
+from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of
+from ...reflectance.slopes import gaussian_c
+from ..parameters import add_inputs
+from .gaussian_lobes import gaussian_lobes
+from .parameters import TABLE, slope_operands
+
+__all__ = ["build", "build_f82"]
+
+
+def build(builder):
+    """Build the group, with n and k for a Metallic BSDF that evaluates them itself."""
+    _build(builder, lambda sockets: ({"IOR": sockets.n, "Extinction": sockets.k}, "PHYSICAL_CONDUCTOR"))
+
+
+def build_f82(builder):
+    """Build the group for dielectrics in Blender 4.5."""
+    def fresnel_of(sockets):
+        with builder.frame("F0 and F82 tint of n and k"):
+            f0 = conductor(1.0, sockets.n, sockets.k)
+            tint = f82_tint_of(f0, conductor(COS_THETA_82, sockets.n, sockets.k))
+            return {"Base Color": clip(f0, 0.0, 1.0), "Edge Tint": clip(tint, 0.0, 1.0)}, "F82"
+    _build(builder, fresnel_of)
+
+
+def _build(builder, fresnel_of):
+    """The group with the Fresnel inputs and type that `fresnel_of(sockets)` gives its Metallic BSDFs."""
+    sockets = add_inputs(builder, TABLE, "fast")
+    normal = builder.normal(sockets.normal)
+    fresnel = fresnel_of(sockets)
+    lobes = []
+    for j, (m, w) in enumerate(slope_operands(sockets), 1):
+        with builder.frame(f"Slope {j}"):
+            lobes += _slope(builder, sockets, m, sockets.specular * w, fresnel, normal)
+    with builder.frame("R = s Rs + d Rd"):
+        specular = _scaled(builder, builder.add_shaders(*lobes), sockets)
+        diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.diffuse, "Normal": normal})
+        total = builder.add_shaders(specular, builder.scale_shader(1.0 - sockets.specular, diffuse))
+    builder.output("BSDF", total)
+
+
+def _slope(builder, sockets, m, share, fresnel, normal):
+    """The lobes of one rms slope: one for Beckmann's D, three for the Gaussian."""
+    lobes = [(share * (1.0 - sockets.gaussian), m)]
+    printed = sockets.gaussian_c / gaussian_c(m)  # in the published scale the printed c takes that one's place
+    gaussian = share * (sockets.gaussian * (1.0 + sockets.published * (printed - 1.0)))
+    lobes += [(gaussian * part, slope) for part, slope in gaussian_lobes(m)]
+    return [_beckmann(builder, part, slope, fresnel, normal) for part, slope in lobes]
+
+
+def _beckmann(builder, share, m, fresnel, normal):
+    """share * F D G / (4 (N.L)(N.V)), Beckmann D of rms slope m, Smith G."""
+    inputs, fresnel_type = fresnel
+    metallic = builder.node("ShaderNodeBsdfMetallic", {**inputs, "Roughness": sqrt(m), "Normal": normal},
+                            distribution="BECKMANN", fresnel_type=fresnel_type)
+    return builder.scale_shader(share, metallic)
+
+
+def _scaled(builder, specular, sockets):
+    """The specular part, four times as bright in the published scale.
+
+    A closure's weight is held to 1, so four equal closures are added up; a printed
+    c of the Gaussian above the one that normalises is held to it.
+    """
+    twice = builder.add_shaders(specular, specular)
+    return builder.node("ShaderNodeMixShader", {
+        "Fac": sockets.published, "Shader": specular, "Shader_001": builder.add_shaders(twice, twice)})

@@ -1,0 +1,311 @@
+"""Drawing facets of the Cook-Torrance model, for renderers that cannot evaluate it.
+
+Proposal: the normals that the viewer sees between V-shaped grooves.  A groove
+has two sides, H and its mirror image H' about N; draw one from D cos α and keep
+the side that V sees, with probability (V·H)⁺/((V·H)⁺ + (V·H')⁺).  The density
+is p(L) = G1 D/(4π N·V), so the weight f (N·L)/p(L) is F G/G1: no D in it, never
+above F, and 1 on most of the lobe.  E. Heitz and E. d'Eon, "Importance Sampling
+Microfacet-Based BSDFs using the Distribution of Visible Normals", EGSR 2014.
+
+With Sampling Width 0 that is all, and exact.  With a width above 0 a native
+Beckmann lobe that lies under f carries most of the light (:func:`native_lobe`),
+and lobes about drawn facets only what is left of f above it.  Those are narrow
+across the rings about N, over which D falls and G has its kinks, and wide along
+them, where neither changes much.
+
+Every node costs, so a difference y − c x with a constant c is written c' x + y,
+c' = −c, which is one node.
+"""
+
+from types import SimpleNamespace
+
+from ...operands import (absolute, clip, cos, dot, exp, inverse_sqrt, less, log, maximum, minimum, normalize,
+                         rotate, sin, sqrt, term, where, widen)
+from ...reflectance.directions import PI, tangent_of
+from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, f82_unclamped
+from ...reflectance.masking import smith_lambda_of_slope
+from ...reflectance.sampling import narrowed, squared_tilt, towards_flanks
+from ...reflectance.slopes import gaussian_c
+
+__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "facet", "native_over_d", "sharpened_v_cavity",
+           "facet_weight", "HEADROOM", "FLANKS"]
+
+SMALLEST = 1e-6
+SMALLEST_LEVEL = 1e-3
+"""Of V·H over N·H, so that G's derivatives stay finite; light so mirrored goes below the surface."""
+
+STEEPEST = 1.55
+"""Largest tilt of a drawn facet in radians; steeper ones carry no light."""
+
+HEADROOM = 0.985
+"""Keeps the native lobe under f where its F82 Fresnel term lies above the exact one."""
+
+
+FLANKS = 0.5
+"""How far facets for the light above the native lobe are drawn from its flanks, where most of it is."""
+
+
+@term("Native lobe")
+def native_slope(m):
+    """Slope of the native Beckmann lobe under a formula of rms slope m: m (1 − 0.72 m²/(1 + 1.9 m²)).
+
+    A little less than m, for the V-cavity G ends rough lobes sooner than Smith's.
+
+    >>> round(float(native_slope(0.4)), 4)
+    0.3647
+    """
+    m2 = m * m
+    return m * (1.0 - 0.72 * m2 / (1.0 + 1.9 * m2))
+
+
+@term("Native lobe")
+def native_lobe(n_v, m):
+    """Share w and lean of the native Beckmann lobe that carries as much light as it can without passing f.
+
+    n_v  N·V, ``(...)``
+    m    rms slope, ``(...)``
+
+    The lobe has the slope of :func:`native_slope` and weighs 0.985 w, about N
+    leaned towards V: N + lean·V.  The lean, of a few degrees at most, keeps its
+    light from the horizon, where the V-cavity G fades sooner than Smith's.  With
+    x = tan(half the angle from V to the horizon)/m, how far in slopes the facets
+    are that mirror V into the horizon,
+    w = min(1.12 x + min(0.52, 0.65 − 0.073/m), (1.012 + min(0.12 o, 0.03)) slope²/m²,
+    max(min(0.895, 0.85 + 0.22 m) − 0.5 o x, 0.47 − 0.3 o + 0.19 x)), o = max(0, m − 0.35), and
+    lean = m min((0.084 + 0.21 m²)(x − 0.19 − 0.058/m), (0.028 + 0.22 m)(3.1 − x), 0.21 − 0.19 m),
+    both at least 0.  Found by comparing the lobes over all L: up to 85° from the
+    normal what sticks out of f, and is lost, is less than 0.2 % of the light.
+
+    >>> [round(float(y), 4) for y in native_lobe(1.0, 0.1)]
+    [0.9977, 0.0]
+    >>> [round(float(y), 4) for y in native_lobe(0.5, 0.3)]
+    [0.895, 0.0157]
+    """
+    x = n_v / (m * sqrt(1.0 - n_v * n_v) + m)
+    narrower = native_slope(m) / m
+    grazing = 1.12 * x + minimum(0.52, 0.65 - 0.073 / m)
+    over = maximum(m - 0.35, 0.0)
+    peak = (1.012 + minimum(0.12 * over, 0.03)) * (narrower * narrower)
+    middle = maximum((-0.5 * over) * x + minimum(0.895, 0.85 + 0.22 * m), 0.19 * x + (0.47 - 0.3 * over))
+    share = maximum(minimum(grazing, peak, middle), 0.0)
+    far, near = m * (0.084 + 0.21 * (m * m)), m * (0.028 + 0.22 * m)
+    lean_far = far * x + (-far) * (0.19 + 0.058 / m)
+    lean_near = (-near) * x + 3.1 * near
+    return share, clip(minimum(lean_far, lean_near), 0.0, m * (0.21 - 0.19 * m))
+
+
+@term("Roulette")
+def kept(share):
+    """Probability of drawing a facet at all: little where the native lobe leaves little.
+
+    share  of :func:`native_lobe`
+
+    At least 1.08 − share, and up to 0.4 where more than that pays: what a
+    facet costs over what it takes from the noise.  A drawn facet's weight is
+    divided by it; the nodes of a facet that is not drawn are not evaluated.
+
+    >>> [round(float(kept(share)), 6) for share in (0.0, 0.5, 0.75, 0.85, 0.9)]
+    [1.0, 0.58, 0.4, 0.4, 0.18]
+    """
+    return minimum(maximum(minimum(-4.7 * share + 4.4, 0.4), 1.08 - share), 1.0)
+
+
+@term("F0, F82")
+def native_fresnel(n, k):
+    """F0 and tint of the F82 model for the native lobe, each within [0, 1], ``(..., 3)``.
+
+    F82 and not the conductor formula, which differs between Blender's versions.
+
+    >>> f0, tint = native_fresnel(0.2, 3.91)
+    >>> round(float(f0), 4), round(float(tint), 4)
+    (0.9522, 0.9783)
+    """
+    f0 = conductor(1.0, n, k)
+    return f0, clip(f82_tint_of(maximum(f0, SMALLEST), conductor(COS_THETA_82, n, k)), 0.0, 1.0)
+
+
+@term("Scale")
+def scales(m, gaussian, published, printed_c):
+    """Factors on the energy-conserving lobe of slope m: of f, and of the native lobe, at most four.
+
+    gaussian   0 for Beckmann's D, 1 for the Gaussian
+    published  0 for the energy scale, 1 for the printed one: four times as
+               bright, with printed_c in place of the c that normalises
+
+    Between its peak and its foot the Gaussian lies a little below Beckmann's D,
+    and the native lobe with it.
+
+    >>> scales(0.2, 0.0, 0.0, 1.0), scales(0.2, 0.0, 1.0, 1.0)
+    ((1.0, 1.0), (4.0, 4.0))
+    """
+    printed = 4.0 * (1.0 + gaussian * (printed_c / gaussian_c(m) - 1.0))
+    scale = 1.0 + published * (printed - 1.0)
+    return scale, minimum(scale, 1.0 + 3.0 * published) * (1.0 - 0.03 * gaussian)
+
+
+@term("H")
+def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
+    """A facet of rms slope m drawn as the viewer sees it, for a lobe about it.
+
+    n, v       unit directions, ``(..., 3)``
+    m          rms slope, ``(...)``
+    a, wide    slopes of the lobe across and, at most, along the ring about n; 0 draws exactly
+    flanks     [0, 1], how far the drawing keeps to the flanks of the lobe; 0 draws as D
+    gaussian   0 for Beckmann's D, 1 for the Gaussian
+    u_...      independent and even in [0, 1)
+
+    Returns by name: h, the facet's normal ``(..., 3)``; across, the unit
+    direction at right angles to n in which it is tilted, ``(..., 3)``; a_across
+    and a_along, slopes of the lobe in its own frame; stretch, see
+    :func:`addon.reflectance.sampling.narrowed`.  And at the mean of what the
+    lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; the tilt's
+    tangent; v_across; level, V·H over N·H; D as exp(−steepness/m²)/(m·flat)²; and
+    density, D over the drawn density's part that depends on the distribution and
+    the side.
+
+    >>> from .directions import direction
+    >>> up = direction(0.0, 0.0)
+    >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
+    >>> round(float(x.n_h), 4), round(float(x.v_h), 4), float(x.density)     # tan α = m
+    (0.8944, 0.8944, 1.0)
+    """
+    m2 = m * m
+    m2_drawn, stretch = narrowed(m, a)
+    kept_u, drawn_density = towards_flanks(u_tilt, flanks)
+    drawn2 = squared_tilt(kept_u, m2_drawn)
+    drawn = sqrt(drawn2)
+    along = maximum(a, minimum((2.5 * wide / m) * drawn, wide))
+    # Along a tangent the tilt only grows, its square by half the lobe's; and D with it, but for a factor.
+    grown = along * along + (-(a * a))
+    weighed2 = (stretch * stretch) * drawn2 + 0.5 * grown
+    thinner = sqrt((-1.0 / m2) * grown + 1.0)
+    tangent_drawn, cos_drawn, tangent, n_h, flat, density, to_angle = (
+        where(gaussian, g, b) for g, b in zip(_gaussian(drawn, weighed2, m), _beckmann(drawn2, drawn, weighed2)))
+
+    across = rotate(tangent_of(n), n, (2.0 * PI) * u_azimuth)
+    n_v, across_v = dot(n, v), dot(across, v)
+    # V·H/cos α is n_v + aside on the one side of the groove, and n_v - aside on the other; one of them may be hidden.
+    aside = tangent_drawn * across_v
+    twice = 2.0 * n_v
+    side = 1.0 - 2.0 * less(n_v + aside, twice * u_side)
+    seen = minimum(twice / (side * aside + n_v), 1.0)
+
+    v_across = side * across_v
+    level = maximum(tangent * v_across + n_v, SMALLEST_LEVEL)
+    return SimpleNamespace(
+        h=normalize(n + widen(side * tangent_drawn) * across), across=across,
+        a_across=a * (to_angle * to_angle), a_along=along * to_angle, stretch=stretch,
+        n_h=n_h, n_v=n_v, n_l=(2.0 * level) * (n_h * n_h) - n_v, v_h=n_h * level, tangent=tangent, v_across=v_across,
+        level=level, steepness=weighed2, flat=flat, density=density * thinner / (seen * drawn_density))
+
+
+def _beckmann(drawn2, drawn, weighed2):
+    """What :func:`facet` needs of a facet with tan² α = drawn2, weighed at another, in its order.
+
+    In the plane of slopes dω = cos³ α d²slope, which D cos α leaves a 1/cos α
+    of; an angle is cos² α of its slope across the rings, and cos α along them.
+    """
+    cos_drawn, n_h = inverse_sqrt(1.0 + drawn2), inverse_sqrt(1.0 + weighed2)
+    return drawn, cos_drawn, sqrt(weighed2), n_h, n_h * n_h, cos_drawn / n_h, cos_drawn
+
+
+def _gaussian(drawn, weighed2, m):
+    """What :func:`facet` needs of a facet with α = drawn, weighed at another, in its order.
+
+    In the plane of (α cos φ, α sin φ) dω = sin α/α d²α.
+    """
+    alpha_drawn, weighed = minimum(drawn, STEEPEST), sqrt(weighed2)
+    alpha = maximum(minimum(weighed, STEEPEST), 1e-4)
+    sine, n_h, cos_drawn = sin(alpha), cos(alpha), cos(alpha_drawn)
+    c_m2 = gaussian_c(m) * (m * m)
+    return (sin(alpha_drawn) / cos_drawn, cos_drawn, sine / n_h, n_h, inverse_sqrt(c_m2),
+            less(weighed, STEEPEST) * c_m2 * sine * cos_drawn / alpha, 1.0)
+
+
+@term("D native / D")
+def native_over_d(x, m, lean):
+    """D G of the native lobe over D, and N·V over its own: what it reflects in units of the formula's F D/(4π N·V).
+
+    x     from :func:`facet`
+    m     rms slope
+    lean  of :func:`native_lobe`
+
+    Evaluated so that blurring it gives this: the blur makes exp(−κy) to
+    exp(−κy/(1 + κb))/(1 + κb), with κ + 1 the square of m over the lobe's slope
+    and b = stretch − 1 the relative variance of stretched slopes, so a narrower
+    and higher curve is blurred.
+
+    >>> from .directions import direction
+    >>> up = direction(0.0, 0.0)
+    >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
+    >>> round(float(native_over_d(x, 0.5, 0.0)), 4)
+    0.9637
+    """
+    # Cosines to N + lean V, which is 1/shorter times as long as N; and the squares of slopes about it, and 1.
+    shorter2 = lean * (2.0 * x.n_v + lean) + 1.0
+    y_h, y_v = lean * x.v_h + x.n_h, lean + x.n_v
+    y_l = maximum((2.0 * (x.v_h * x.v_h) - 1.0) * lean + x.n_l, SMALLEST)
+    slope2_h, slope2_v, slope2_l = (shorter2 / (y * y) for y in (y_h, y_v, y_l))
+    m2 = m * m
+    m_native = native_slope(m)
+    m2_native = m_native * m_native
+    narrower = m2 / m2_native
+    masked, shadowed = (
+        smith_lambda_of_slope(sqrt(m2_native * slope2 + (-m2_native))) for slope2 in (slope2_v, slope2_l))
+    sharper = 1.0 / (1.0 - minimum((narrower - 1.0) * (x.stretch - 1.0), 0.5))
+    steeper = sharper / m2_native
+    ratio = exp((-steeper) * slope2_h + ((sharper / m2) * x.steepness + (steeper + log(sharper * narrower))))
+    peaks = slope2_h * x.flat
+    return (peaks * peaks) * ratio * (x.n_v * sqrt(slope2_v)) / (masked + shadowed + 1.0)
+
+
+@term("G")
+def sharpened_v_cavity(x):
+    """The V-cavity G at a facet x of :func:`facet`, its kinks raised so that blurred by the lobe it comes out as G.
+
+    At its kinks, where masking or shadowing sets in, the blur lowers G by about
+    0.4 times its change across the blur, which follows from the derivatives of
+    2 (N·H)(N·V)/(V·H) and 2 (N·H)(N·L)/(V·H) across and along the ring about N.
+    The constants are the best of those tried, on spheres under suns.
+
+    >>> from .directions import direction
+    >>> up = direction(0.0, 0.0)
+    >>> mirror, lobe = (facet(up, up, 0.5, a, 2 * a, 0.0, 0.0, 0.27, 0.0, 0.0) for a in (0.0, 0.1))
+    >>> round(float(sharpened_v_cavity(mirror)), 4), round(float(sharpened_v_cavity(lobe)), 4)
+    (1.0, 1.0137)
+    """
+    steep = (2.0 * x.n_v) / (x.v_h * x.v_h)
+    shadowed = less(x.n_l, x.n_v)
+    across = x.a_across * (-8.0 * (shadowed * ((x.n_h * x.n_h) * x.tangent)) + steep * x.v_across)
+    along = x.a_along * (steep * x.n_h)
+    v_along2 = (1.0 - x.n_v * x.n_v) - x.v_across * x.v_across
+    reach = minimum(sqrt(1.69 * (across * across) + (along * along) * v_along2), 1.0)
+    uncut = minimum(x.n_l, x.n_v) * (2.0 / x.level)
+    near = maximum(reach - absolute(uncut - 1.0), 0.0)
+    return near * (0.25 * (near / maximum(reach, SMALLEST))) + clip(uncut, 0.0, 1.0)
+
+
+@term("f cos/p")
+def facet_weight(x, scale, native, n, k, f0, b, weight=1.0, probability=1.0):
+    """Colour of the lobe about a drawn facet: F G less the native lobe, over the density, ``(..., 3)``.
+
+    x            from :func:`facet`
+    scale        of f, see :func:`scales`
+    native       weight of the native lobe times :func:`native_over_d`; 0 where there is none
+    n, k         complex refractive index, ``(..., 3)``
+    f0, b        F82 Fresnel term of the native lobe, as :func:`addon.reflectance.fresnel.f82_unclamped` has it
+    weight       of both
+    probability  with which the facet is shown at all, see :func:`kept`
+
+    With native 0 and a facet drawn with a = 0 it is f (N·L)/p(L).
+
+    >>> from .directions import direction
+    >>> up = direction(0.0, 0.0)
+    >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
+    >>> facet_weight(x, 1.0, 0.0, 1.5, 0.0, 0.04, 0.0).round(4)
+    array([0.0409])
+    """
+    v_h = widen(x.v_h)
+    whole = conductor(v_h, n, k) * widen(scale * sharpened_v_cavity(x))
+    left = maximum(whole - maximum(f82_unclamped(v_h, f0, b), 0.0) * widen(native), 0.0)
+    return left * widen(weight * x.density / probability)

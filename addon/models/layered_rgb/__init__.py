@@ -1,0 +1,71 @@
+"""Granier and Heidrich 2003: interference and colour separation in a thin layer whose boundaries need not be parallel."""
+
+from ..model import Form, Group, Model
+from .parameters import THICKNESS_GROUP, LayeredRGB
+
+__all__ = ["MODEL"]
+
+
+def _evaluate(parameters, n, v, l):
+    from .formulas import evaluate
+    return evaluate(parameters, n, v, l)
+
+
+def _bake(resolved, viewing, realisation, renderer):
+    from .baking import bake_for
+    return bake_for(resolved)
+
+
+def _look(parameters, place=None):
+    from .baking import look
+    return look(parameters, place)
+
+
+def _feeds(parameters):
+    from .baking import feeds
+    return feeds(parameters)
+
+
+def _read_feed(fed):
+    from .baking import read_feed
+    return read_feed(LayeredRGB.TABLE, fed)
+
+
+def _write_form(_form, record):
+    from ...export import json_text
+    return json_text(record.to_dict())
+
+
+MODEL = Model(
+    package=__name__,
+    title="Layered RGB",
+    summary="Interference and colour separation in a thin layer (Granier and Heidrich)",
+    citation='X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(4), 2003',
+    parameters=LayeredRGB,
+    groups=(
+        Group("layered_rgb_fast", "Layered RGB Fast", 1, "fast.build",
+              "Granier and Heidrich's layered RGB model by native closures, also in EEVEE"),
+        Group("layered_rgb_exact", "Layered RGB Exact", 1, "exact.build",
+              "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device",
+              stand_in="layered_rgb_fast"),
+        Group("layered_rgb_osl", "Layered RGB OSL", 1, "osl.build",
+              "The formula of Granier and Heidrich 2003 itself as an OSL script", stand_in="layered_rgb_fast", osl=True),
+        Group("layered_rgb_osl_fast", "Layered RGB OSL Fast", 1, "osl.build_fast",
+              "Native closures from an OSL script", stand_in="layered_rgb_fast", osl=True, in_menu=False),
+        Group(THICKNESS_GROUP, "Layer Thickness", 1, "thickness.build",
+              "Thickness in nanometres that varies over the surface, and the lower normal tilted along it"),
+    ),
+    realisations={
+        "fast": ("layered_rgb_fast",),
+        "exact": ("layered_rgb_exact",),
+        "osl": ("layered_rgb_osl",),
+        "osl_fast": ("layered_rgb_osl_fast",),
+    },
+    evaluate=_evaluate,
+    bake=_bake,
+    look=_look,
+    feeds=_feeds,
+    read_feed=_read_feed,
+    forms={"json": Form("JSON", "Every parameter", ".json")},
+    write_form=_write_form,
+)

@@ -1,0 +1,134 @@
+"""Makes records: of a preset or measurement, of another realisation, of the same measurement baked again."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from ..catalogue.resolving import resolve
+from ..errors import FacetFilmError, choice
+from . import DEFAULT, named, names
+from .model import Renderer
+from .record import Record, Source
+
+__all__ = ["exported", "made", "rebaked", "renewed", "switched"]
+
+
+def made(model: str | None = None, preset: Any = None, realisation: str = "fast", renderer: Renderer = Renderer(),
+         viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
+    """The Record of a preset or measurement, with some parameters of one's own.
+
+    model        name of a model; by default the preset's
+    preset       what :func:`addon.catalogue.resolving.resolve` understands; None for the parameters alone
+    realisation  one that the model has
+    renderer     whose formula and working space the numbers are for
+    viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut
+    parameters   of the model, over the preset's own
+
+    Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
+
+    >>> made(preset="nacre").model, made(preset="copper", specular=0.5).parameters.specular
+    ('layered_rgb', 0.5)
+    """
+    if model is not None:
+        choice("model", model, names())
+    resolved = None if preset is None else resolve(preset)
+    chosen = named(model or (resolved and resolved.preset.model) or DEFAULT)
+    choice("realisation", realisation, chosen.realisations)
+    if resolved is None:
+        checked = chosen.parameters().changed(**parameters)
+        return _with_group(Record(chosen.name, realisation, "", 0, checked), chosen)
+    _require_of(chosen, resolved)
+    options = _viewing(resolved, renderer, viewing)
+    baked = chosen.bake(resolved, options, realisation, renderer)
+    checked = chosen.parameters().changed(**baked.parameters).changed(**parameters)
+    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts)
+    return _with_group(record, chosen, baked.variant)
+
+
+def switched(record: Record, realisation: str, renderer: Renderer = Renderer()) -> Record:
+    """The Record by another realisation; everything that the user set stays.
+
+    Where what was baked is still as it was, it is baked again for what the
+    other realisation evaluates.
+
+    >>> switched(made(preset="nacre"), "exact").group
+    'layered_rgb_exact'
+    """
+    model = named(record.model)
+    choice("realisation", realisation, model.realisations)
+    if record.measured and model.as_baked(record.parameters, record.baked):
+        return rebaked(record.changed(realisation=realisation), renderer, only=("n", "k"))
+    _, variant = model.realisation_of(record.group)
+    return _with_group(record.changed(realisation=realisation), model, variant)
+
+
+def rebaked(record: Record, renderer: Renderer = Renderer(), viewing: Mapping[str, Any] | None = None, *,
+            only: tuple[str, ...] = ()) -> Record:
+    """The Record whose measurement is baked again; what the bake does not give stays as the user set it.
+
+    viewing  options of :func:`addon.bake.bake`; by default those it was baked with
+    only     the parameters to take from the new bake; by default all that the model bakes
+
+    Raises FacetFilmError for a record without a measurement.
+    """
+    if not record.measured:
+        raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
+    model = named(record.model)
+    resolved = resolve(record.source.meant())
+    options = _viewing(resolved, renderer, record.viewing if viewing is None else viewing)
+    baked = model.bake(resolved, options, record.realisation, renderer)
+    new = {name: baked.parameters[name] for name in only or model.baked_names}
+    found = record.changed(parameters=record.parameters.changed(**new), viewing=options, baked=baked.facts)
+    return _with_group(found, model, baked.variant)
+
+
+def renewed(record: Record, renderer: Renderer = Renderer()) -> Record:
+    """A Record from elsewhere for this renderer: groups of this version, and baked again where its numbers are for another.
+
+    What the user set stays; n and k that are still as baked follow the renderer's formula.
+    """
+    return switched(record, record.realisation, renderer)
+
+
+def exported(record: Record, form: str) -> str:
+    """The text of a record in a form that its model has.
+
+    Raises FacetFilmError for another form, and for a record without a measurement where the form holds one.
+    """
+    model = named(record.model)
+    choice("form", form, model.forms)
+    if model.measured and not record.measured:
+        raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
+    return model.write_form(form, record)
+
+
+def _with_group(record, model, variant=0):
+    group = model.group_of(record.realisation, variant)
+    return record.changed(group=group.identifier, version=group.version)
+
+
+def _require_of(model, resolved):
+    """Raise the error of a preset that another model's materials are made of."""
+    preset = resolved.preset
+    if preset.model not in ("", model.name) and not (model.measured and resolved.constants is not None):
+        raise FacetFilmError("{preset} is a preset of {model}: leave the model out, or name that one.",
+                             preset=preset.title, model=preset.model)
+    if not preset.model and not model.measured:
+        raise FacetFilmError("{model} takes no measurement: name one of its presets, or another model.",
+                             model=model.title)
+
+
+def _viewing(resolved, renderer, viewing):
+    """All options of a bake, the file's working space where none is named; {} where nothing is measured."""
+    if resolved.constants is None:
+        return {}
+    from ..bake.reflected import Viewing
+    found = Viewing(**{"space": renderer.space, **(viewing or {})})
+    return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,
+            "gamut": found.gamut}
+
+
+def _source(resolved):
+    if not resolved.is_own:
+        return Source(resolved.preset.name)
+    from ..export import spectrum_csv
+    return Source(resolved.constants.dataset, spectrum_csv(resolved.constants))

@@ -1,0 +1,216 @@
+"""What a model offers to everything outside of its folder, and the few values that it does so with."""
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from importlib import import_module
+from pathlib import Path
+from typing import NamedTuple
+
+from .parameters import Checked, read, sockets_of, written
+
+__all__ = ["REALISATIONS", "NATIVE", "Baked", "Feed", "Form", "Group", "Look", "Model", "Realisation", "Renderer"]
+
+
+class Realisation(NamedTuple):
+    """A way from a formula to a Cycles material.
+
+    title   what people call it
+    tip     one sentence on when to take it
+    native  whether the renderer's own closures draw it, with its own Fresnel term
+    osl     whether it is a script, which needs Open Shading Language
+    """
+
+    title: str
+    tip: str
+    native: bool = False
+    osl: bool = False
+
+
+REALISATIONS = {
+    "fast": Realisation("Fast", "Native closures: light-sampled, on every device, and in EEVEE", native=True),
+    "exact": Realisation("Exact", "The published formula itself, sampled with nodes alone, on every device; "
+                                  "EEVEE shows Fast"),
+    "osl": Realisation("OSL", "The published formula itself as an OSL script: needs Open Shading Language switched on "
+                              "in Render properties, on the CPU or OptiX; EEVEE shows Fast", osl=True),
+    "osl_fast": Realisation("OSL Fast", "Native closures from an OSL script: needs Open Shading Language switched on",
+                            native=True, osl=True),
+}
+"""Every realisation that a model may have, by its name."""
+
+NATIVE = tuple(name for name, realisation in REALISATIONS.items() if realisation.native)
+
+
+class Renderer(NamedTuple):
+    """What decides which numbers a material needs.
+
+    formula  the conductor Fresnel that the renderer's closures evaluate: one of addon.bake.FORMULAS
+    space    the scene-linear space of the file
+    """
+
+    formula: str = "exact"
+    space: str = "Rec.709"
+
+
+@dataclasses.dataclass(frozen=True)
+class Group:
+    """A node group of a model.
+
+    identifier  what it is found by in files, unique among all models
+    name        what people see
+    version     raised whenever what it computes or its interface changes
+    build       "module.function" of the model's folder: a function of the GroupBuilder that it is handed
+    summary     one sentence for menus and assets
+    stand_in    id of the group that EEVEE shows in its place, or ""
+    osl         whether its code is compiled by the Blender that it is built in
+    in_menu     whether the Add menu offers it
+    """
+
+    identifier: str
+    name: str
+    version: int
+    build: str
+    summary: str
+    stand_in: str = ""
+    osl: bool = False
+    in_menu: bool = True
+
+
+class Feed(NamedTuple):
+    """A group node that stands before a material's own and feeds it.
+
+    group   id of its group
+    values  {socket: value} of it
+    links   {output of it: socket of the material's node}
+    """
+
+    group: str
+    values: Mapping
+    links: Mapping
+
+
+class Baked(NamedTuple):
+    """What a model makes of a preset or measurement.
+
+    parameters  {name: value} that it sets
+    facts       what was baked, from what and how far off it is, ready for JSON; {} where nothing was
+    variant     which of a realisation's groups renders it: 0 is the usual one
+    """
+
+    parameters: Mapping
+    facts: Mapping
+    variant: int = 0
+
+
+class Look(NamedTuple):
+    """What a material looks like at a glance, for the Solid viewport and small pictures: linear RGB, ``(..., 3)``.
+
+    colour    all of it
+    mirror    what its mirror reflects at normal incidence
+    specular  the mirror's share, ``(...)``
+    slope     rms slope of its facets
+    diffuse   what the diffuse part reflects
+    """
+
+    colour: object
+    mirror: object
+    specular: float
+    slope: float
+    diffuse: object
+
+
+class Form(NamedTuple):
+    """A form that a material leaves in: its title, what it holds, and the file's ending."""
+
+    title: str
+    tip: str
+    ending: str
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Model:
+    """A reflectance model, as everything outside of its folder sees it.
+
+    package       dotted name of its folder
+    title         what people call it
+    summary       one sentence on what it is for
+    citation      the publication
+    parameters    its class of checked parameters, with its TABLE
+    groups        every Group of its own
+    realisations  {name of REALISATIONS: ids of the groups that render it, the usual one first}
+    evaluate      function(parameters, n, v, l) -> the whole BRDF in 1/sr, ``(..., 3)``, of unit directions ``(..., 3)``
+    facts         function(resolved preset, addon.bake.Bake) -> all that was baked, ready for JSON; for measurements
+    bake          function(resolved preset, viewing options, realisation, Renderer) -> Baked
+    look          function(parameters, place) -> Look; place is None, or x, y, z on a unit ball, ``(...)`` each
+    as_baked      function(parameters, facts) -> whether what was baked is still what the material holds
+    baked_names   the parameters that a new bake of the same measurement replaces; all others stay as the user set them
+    feeds         function(parameters) -> Feeds that stand before its node
+    read_feed     function({group's id: ({socket: value}, outputs that are linked)}) -> {parameter's name: value}
+    forms         {name: Form} that :func:`write_form` knows
+    write_form    function(form, Record) -> text
+    principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
+    measured      whether a measurement that is no preset can become a material of it
+    """
+
+    package: str
+    title: str
+    summary: str
+    citation: str
+    parameters: type[Checked]
+    groups: tuple[Group, ...]
+    realisations: Mapping[str, tuple[str, ...]]
+    evaluate: Callable
+    bake: Callable
+    look: Callable
+    facts: Callable | None = None
+    as_baked: Callable = lambda parameters, facts: False
+    baked_names: tuple[str, ...] = ()
+    feeds: Callable = lambda parameters: ()
+    read_feed: Callable = lambda fed: {}
+    forms: Mapping[str, Form] = dataclasses.field(default_factory=dict)
+    write_form: Callable | None = None
+    principled: Callable | None = None
+    measured: bool = False
+
+    @property
+    def name(self):
+        """What scripts call it: its folder's name."""
+        return self.package.rpartition(".")[2]
+
+    @property
+    def folder(self):
+        """Path of its folder."""
+        return Path(import_module(self.package).__file__).parent
+
+    def group(self, identifier):
+        """The Group with this id."""
+        return next(group for group in self.groups if group.identifier == identifier)
+
+    def build(self, identifier, builder):
+        """Build the group with this id into a GroupBuilder."""
+        module, _, function = self.group(identifier).build.partition(".")
+        getattr(import_module(f".{module}", self.package), function)(builder)
+
+    def realisation_of(self, identifier):
+        """(realisation, variant) of the group with this id, or None for a group that renders no material."""
+        for realisation, identifiers in self.realisations.items():
+            if identifier in identifiers:
+                return realisation, identifiers.index(identifier)
+        return None
+
+    def group_of(self, realisation, variant=0):
+        """The Group that renders a realisation; where it has no such variant, the usual one."""
+        identifiers = self.realisations[realisation]
+        return self.group(identifiers[variant] if variant < len(identifiers) else identifiers[0])
+
+    def sockets(self, realisation):
+        """The Sockets of a realisation's groups."""
+        return sockets_of(self.parameters.TABLE, realisation)
+
+    def written(self, parameters, realisation):
+        """{socket: value} of the parameters in a realisation's group."""
+        names = {socket.name for socket in self.sockets(realisation)}
+        return {name: value for name, value in written(parameters).items() if name in names}
+
+    def read(self, values, fed):
+        """The checked parameters of a node's values, ``{socket: value}``, and of what feeds it, as read_feed has it."""
+        return self.parameters(**{**read(self.parameters.TABLE, values), **self.read_feed(fed)})

@@ -1,0 +1,116 @@
+"""What the shell's commands do: each takes the parsed options and gives its text, or (text, exit status)."""
+
+from ..errors import FacetFilmError, number
+from ..export import json_text
+from . import text as shown
+
+__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "verify_command",
+           "ways_command"]
+
+VIEWING = ("illuminant", "observer", "space", "adapt", "gamut")
+
+
+def _given(options, *names):
+    """The options of these names that the command has, as keywords."""
+    return {name: getattr(options, name) for name in names if hasattr(options, name)}
+
+
+def _json(value):
+    return json_text(value).rstrip()
+
+
+def list_command(options):
+    """The presets of all models, or the illuminants."""
+    if options.what == "illuminants":
+        from ..spectra import illuminants
+        titles = {name: illuminants.title(name) for name in illuminants.names()}
+        return _json(titles) if options.json else shown.illuminants(titles)
+    from ..catalogue import presets
+    found = presets.all_presets().values()
+    if options.json:
+        return _json([{"name": p.name, "title": p.title, "kind": p.kind, "model": p.model, "dataset": p.dataset,
+                       "aliases": p.aliases, "estimated": p.estimated} for p in found])
+    return shown.presets(found)
+
+
+def bake_command(options):
+    """Colours and parameters of a material; of one that was not measured the parameters alone."""
+    from ..catalogue.resolving import resolve
+    from ..export import write_text
+    resolved = resolve(options.material)
+    written = _form(options, resolved) if resolved.constants is not None else _unmeasured(options, resolved)
+    if options.output is None:
+        return written
+    return "Wrote " + write_text(options.output, written + "\n")
+
+
+def _form(options, resolved):
+    """A measured material in the form that was asked for."""
+    from .. import export
+    from ..bake import bake
+    baked = bake(resolved, **_given(options, *VIEWING, "formula", "from_normal_reflectance"))
+    if options.csv:
+        return export.curve_csv(baked).rstrip()
+    if options.spectrum_csv:
+        return export.spectrum_csv(resolved.constants).rstrip()
+    if options.json:
+        from ..models import DEFAULT, named
+        return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
+    if options.materialx:
+        from ..models.making import made
+        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
+        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse).rstrip()
+    return shown.baked(baked)
+
+
+def _unmeasured(options, resolved):
+    """The parameters of a preset that was not measured."""
+    from ..models.making import made
+    if options.csv or options.spectrum_csv or options.materialx:
+        raise FacetFilmError("{preset} was not measured: it has parameters and no curve. Leave the form out, or take "
+                             "--json.", preset=resolved.preset.title)
+    record = made(preset=resolved)
+    return _json(record.to_dict()) if options.json else shown.record(record)
+
+
+def search_command(options):
+    """The materials that fit some words."""
+    from ..catalogue.search import search
+    number("--limit", options.limit, 1)
+    words = " ".join(options.text)
+    found = search(words, options.limit)
+    if options.json:
+        return _json([vars(entry) for entry in found])
+    if not found:
+        raise FacetFilmError(
+            f"Nothing fits {words!r}; try a material, an author or a formula, such as 'gold babar'.")
+    return shown.found(found)
+
+
+def check_command(options):
+    """How far given numbers or a material are from a measured one."""
+    from ..bake import check
+    found = check(options.against, preset=options.material, **_given(options, *VIEWING, "formula", "n", "k", "f0", "tint"))
+    return _json(found.to_dict()) if options.json else shown.checked(found)
+
+
+def spread_command(options):
+    """All measurements of a material."""
+    from ..bake import spread
+    found = spread(options.material, **_given(options, *VIEWING))
+    return _json(found.to_dict()) if options.json else shown.spread(found)
+
+
+def ways_command(options):
+    """The paper's ways to a colour."""
+    from ..bake import ways
+    found = ways(options.material, **_given(options, *VIEWING))
+    return _json(found.to_dict()) if options.json else shown.ways(found)
+
+
+def verify_command(options):
+    """The verification; status 1 where it is not green."""
+    from ..verify import verify
+    green, said = verify(options.output, device=options.device, only=options.only, record=options.json,
+                         say=lambda line: print(line, flush=True))
+    return said, 0 if green else 1

@@ -1,0 +1,112 @@
+"""The words of the shell's commands."""
+
+import argparse
+
+from . import commands as work
+
+__all__ = ["parser"]
+
+MATERIAL = "PRESET|SHELF/BOOK/PAGE|FILE"
+
+
+def parser():
+    """The parser of all commands; each sets `run`, a function of the options that gives text, or (text, status)."""
+    parser = argparse.ArgumentParser(
+        prog="facet_film",
+        description="Measured metals and layered films: colours and parameters for Cycles.")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+
+    command = _command(commands, "list", work.list_command, "list the presets, or the illuminants")
+    command.add_argument("what", nargs="?", choices=("presets", "illuminants"), default="presets",
+                         help="presets (the default) or illuminants")
+
+    command = _command(commands, "bake", work.bake_command, "colours over angle and fitted parameters of a material",
+                       _add_forms)
+    command.add_argument("material", metavar=MATERIAL,
+                         help="a preset, a dataset of the database, or a file of your own measurements")
+    _add_viewing_options(command)
+    _add_formula_option(command)
+    command.add_argument("--from-normal-reflectance", action="store_true",
+                         help="from the normal reflectance alone, k = 0 (Cook and Torrance 1982)")
+
+    command = _command(commands, "search", work.search_command,
+                       "search presets and datasets by material, author, formula or name")
+    command.add_argument("text", nargs="+", help="words, as in: gold babar")
+    command.add_argument("--limit", type=int, default=25, metavar="N", help="show at most N (25)")
+
+    command = _command(commands, "check", work.check_command,
+                       "how far n and k, F0 and F82 tint, or a material are from a measured material")
+    command.add_argument("material", nargs="?", metavar=MATERIAL, help="a material to check")
+    for name, what in (("--n", "index of refraction"), ("--k", "extinction coefficient"),
+                       ("--f0", "reflectance at normal incidence"), ("--tint", "F82 tint")):
+        command.add_argument(name, nargs=3, type=float, metavar=("R", "G", "B"), help=f"{what}, RGB")
+    command.add_argument("--against", required=True, metavar=MATERIAL,
+                         help="the measured material")
+    _add_viewing_options(command)
+    _add_formula_option(command)
+
+    command = _command(commands, "spread", work.spread_command, "all measurements of a material side by side")
+    command.add_argument("material", metavar="PRESET|SHELF/BOOK/PAGE|WORD", help="a material")
+    _add_viewing_options(command, gamut=False)
+
+    command = _command(commands, "ways", work.ways_command,
+                       "the 1982 paper's ways to a colour over angle beside the exact one")
+    command.add_argument("material", metavar=MATERIAL, help="a material")
+    _add_viewing_options(command, gamut=False)
+
+    command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender and hold the "
+                       "pixels against the formulas", _add_report)
+    command.add_argument("--device", default="CPU", metavar="NAME",
+                         help="CPU (the default), or GPU: what the preferences switch on")
+    command.add_argument("--only", metavar="GROUP", help="one model's name, or data")
+    return parser
+
+
+def _command(commands, name, run, summary, add_forms=None):
+    command = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
+    command.set_defaults(run=run)
+    (add_forms or _add_json)(command)
+    return command
+
+
+def _add_json(command):
+    command.add_argument("--json", action="store_true", help="as JSON")
+
+
+def _add_report(command):
+    command.add_argument("-o", "--output", default="facet_film_verification.html", metavar="FILE",
+                         help="the report, one HTML page (facet_film_verification.html)")
+    command.add_argument("--json", metavar="FILE", help="the same as JSON")
+
+
+def _add_forms(command):
+    """The forms that a bake is written in; one at a time."""
+    forms = command.add_mutually_exclusive_group()
+    _add_json(forms)
+    for name, what in (("--csv", "the colour over angle as CSV: cos_theta, r, g, b"),
+                       ("--spectrum-csv", "the measured spectrum as CSV: wavelength_nm, n, k"),
+                       ("--materialx", "as MaterialX: conductor_bsdf, generalized_schlick_bsdf")):
+        forms.add_argument(name, action="store_true", help=what)
+    command.add_argument("-o", "--output", metavar="FILE", help="write into a file, in place of showing it")
+
+
+def _add_viewing_options(command, gamut=True):
+    command.add_argument("--illuminant", default="D65", metavar="NAME",
+                         help="A, D50, D65, E, F2, LED-B3, … (D65)")
+    command.add_argument("--observer", default="1931", metavar="YEAR",
+                         help="1931 (2 degrees) or 1964 (10 degrees)")
+    command.add_argument("--space", default="Rec.709", metavar="NAME", help="Rec.709, Rec.2020 or ACEScg")
+    command.add_argument("--adapt", action="store_true", help="adapt the eye to the illuminant (Bradford)")
+    if gamut:
+        command.add_argument("--gamut", default="desaturate", metavar="METHOD",
+                             help="for colours outside: desaturate, scale, clip or leave")
+
+
+def _add_formula_option(command):
+    command.add_argument("--formula", default="exact", metavar="NAME",
+                         help="conductor formula of n and k: exact (Blender 5.0 and later) or blender-4.5")
+
+
+def _given(options, *names):
+    """The options of these names that the command has, as keywords."""
+    return {name: getattr(options, name) for name in names if hasattr(options, name)}

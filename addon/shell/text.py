@@ -1,0 +1,161 @@
+"""What the shell's commands print for people."""
+
+__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "record", "spread", "ways"]
+
+SHOWN_DEGREES = (0, 30, 60, 75, 80, 85, 89)
+CHANNELS = ("red", "green", "blue")
+
+
+def presets(records):
+    """A line a preset.
+
+    records  Presets
+    """
+    return columns([(p.name, p.title, p.kind, p.dataset or ("estimated" if p.measured else "not measured"))
+                    for p in records])
+
+
+def record(made):
+    """A material that was not measured: its parameters, and what is to be said about it.
+
+    made  an addon.models.record.Record
+    """
+    rows = [(name, " ".join(f"{x:g}" for x in value) if isinstance(value, list) else str(value))
+            for name, value in made.parameters.to_dict().items()]
+    return "\n".join([f"{made.title} ({made.model})", columns(rows, "  "), "  " + made.baked["note"]])
+
+
+def illuminants(titles):
+    """A line an illuminant.
+
+    titles  what each is, by name
+    """
+    return columns(list(titles.items()))
+
+
+def found(entries):
+    """A line a material that a search found.
+
+    entries  addon.catalogue.search.Found
+    """
+    return columns([(entry.id, entry.title, entry.kind,
+                     "" if entry.covers_visible else "part of the visible only") for entry in entries])
+
+
+def baked(bake):
+    """A bake as a table.
+
+    bake  an addon.bake.Bake
+    """
+    source, low_high = bake.source, "{:.0f} to {:.0f} nm".format(*bake.source.wavelength_range_nm)
+    held = "" if source.covers_visible else "; held beyond, where the visible goes on"
+    rows = [
+        ("", *CHANNELS),
+        ("F0", *numbers(bake.f0)),
+        ("F82 tint", *numbers(bake.f82_tint)),
+        ("n", *numbers(bake.conductor.n)),
+        ("k", *numbers(bake.conductor.k)),
+    ]
+    facts = [
+        ("dataset", f"{source.dataset}, {low_high}, {source.licence}{held}"),
+        ("citation", source.citation),
+        ("colour", _colour(bake) + _white(bake)),
+        ("fit", f"n and k ({bake.conductor.formula}) within {bake.conductor.delta_e_2000_max:.3f} "
+                f"CIEDE2000 from 0 to 89°, F82 within {bake.f82.delta_e_2000_max:.3f}"),
+        ("curve", f"{len(bake.fresnel.cos_theta)} points"),
+        ("gamut", _gamut(bake.gamut)),
+    ]
+    if bake.estimated not in ("", source.citation):
+        facts.append(("estimated", bake.estimated))
+    return "\n".join([bake.title, columns(rows, "  "), columns(facts, "  ")])
+
+
+def _white(bake):
+    if bake.adapted:
+        return ", adapted"
+    if max(bake.white) - min(bake.white) < 0.01:
+        return ""
+    return ", in which white is " + " ".join(f"{channel:.2f}" for channel in bake.white)
+
+
+def _gamut(gamut):
+    if not gamut.outside:
+        return "inside"
+    return f"outside: {gamut.method}, channels changed by up to {gamut.largest_change:.3f}"
+
+
+def checked(check):
+    """A check as a table.
+
+    check  an addon.bake.Check
+    """
+    rows = [("", *CHANNELS)]
+    for title, given, measured in (("F0", check.f0, check.against_f0), ("F82", check.f82, check.against_f82),
+                                   ("F82 tint", check.f82_tint, check.against_f82_tint)):
+        rows += [(title, *numbers(given)), ("  measured", *numbers(measured))]
+    curve = [("cos", *CHANNELS)]
+    curve += [(f"{c:.3f}", *numbers(rgb)) for c, rgb in zip(check.fresnel.cos_theta, check.fresnel.rgb)]
+    return "\n".join([
+        f"{check.given} against {check.against} ({check.dataset}), {_colour(check)}",
+        columns(rows, "  "),
+        f"  CIEDE2000 {check.delta_e_2000_normal:.2f} at 0°, at most {check.delta_e_2000_max:.2f} "
+        f"(at {check.at_degrees:.0f}°)",
+        "  curve", columns(curve, "    ")])
+
+
+def spread(found):
+    """Measurements of one material, a line each.
+
+    found  an addon.bake.Spread
+    """
+    rows = [("dataset", "F0 red", "green", "blue", "CIEDE2000 at 0°", "at most", "")]
+    for one in found.measurements:
+        differences = (f"{one.delta_e_2000_normal:.2f}", f"{one.delta_e_2000_max:.2f}")
+        rows.append((one.dataset, *numbers(one.f0), *differences, one.title))
+    return "\n".join([
+        f"{found.material}, {len(found.measurements)} measurements, "
+        f"differences from {found.reference}, {_colour(found)}",
+        columns(rows, "  "),
+        f"  farthest apart: {found.farthest[0]} and {found.farthest[1]}, "
+        f"CIEDE2000 {found.farthest_delta_e_2000:.2f} at 0°"])
+
+
+def ways(found):
+    """The ways to a colour over angle, three lines each.
+
+    found  an addon.bake.Ways
+    """
+    rows = [("", "", *(f"{angle}°" for angle in SHOWN_DEGREES))]
+    for way in found.ways:
+        for i, channel in enumerate(CHANNELS):
+            shown = [f"{way.rgb[angle][i]:.3f}" for angle in SHOWN_DEGREES]
+            rows.append((way.title if i == 0 else "", channel, *shown))
+    errors = [(way.title, f"CIEDE2000 at most {way.delta_e_2000_max:.2f} (at {way.at_degrees:.0f}°)")
+              for way in found.ways[1:]]
+    return "\n".join([f"{found.title} ({found.dataset}), {_colour(found)}", columns(rows, "  "),
+                      "  from exact", columns(errors, "    ")])
+
+
+def _colour(found):
+    return f"{found.space}, illuminant {found.illuminant}, observer {found.observer}"
+
+
+def numbers(values):
+    """Numbers with four decimals.
+
+    >>> numbers((0.5, 1))
+    ['0.5000', '1.0000']
+    """
+    return [f"{value:.4f}" for value in values]
+
+
+def columns(rows, indent=""):
+    """Rows of text cells as lines whose cells stand below each other.
+
+    >>> print(columns([("a", "b"), ("long", "c")]))
+    a     b
+    long  c
+    """
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    lines = ("  ".join(cell.ljust(width) for cell, width in zip(row, widths)) for row in rows)
+    return "\n".join((indent + line).rstrip() for line in lines)
