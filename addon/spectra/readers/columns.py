@@ -25,6 +25,11 @@ LARGEST_PLAIN_INDEX, LEAST_PLAIN_PERCENT = 3.0, 10.0
 Between them lie the percents of glasses and the n of semiconductors alike.
 """
 MOST_SERIES = 2000
+MOST_LINES_OF_A_HEAD = 100
+IN_HEADS = {role: re.compile(words, re.IGNORECASE) for role, words in {
+    "R": r"\breflect(ance|ivity|ion)\b|%\s?R\b|\bR\s?%|\breflexion", "T": r"\btransmi(ttance|ssion|ssivity)\b|%\s?T\b|\bT\s?%",
+    "A": r"\babsor(bance|ptance|ption)\b|\boptical density\b|\bemissivity\b|\b(ir)?radiance\b|\bcounts\b|\bintensity\b"}.items()}
+"""Words of an instrument's head that tell what it measured."""
 SHORT_REMARK = 4
 """Words of a remark that is no sentence: "Au n" names the quantity."""
 
@@ -95,7 +100,7 @@ class Layout:
 
 def _laid_out(text, table):
     usable = [row for row in table.rows if not (row.faults and ROW in row.faults)]
-    is_complex = any(isinstance(value, complex) for row in usable for value in row.values)
+    is_complex = any(type(value) is complex for row in usable if row.faults is not None for value in row.values)
     matrix = np.array([row.values for row in table.rows], complex if is_complex else float)
     real = matrix.real
     columns = table.columns or _columns_by_values(text, table, matrix)
@@ -317,7 +322,7 @@ def _series(text, layout, place):
                 text.refuse(table.above[-1][0] if table.above else lines[0],
                             f"the unit {column.unit[1:]!r} of {column.role} is unknown",
                             "% or none" if column.role in {"R", "T"} else "none, as it is a mere number")
-            keep = _without_faults(text, table.rows, nm, axis, at, matrix[:, at])
+            keep = _without_faults(text, table.rows, nm, axis, at, matrix)
             name = column.name or titles.get(at) or titles.get(axis) or ""
             group = titles.get(axis) or titles.get(at) or ""
             yield Series(column.role, name, column.unit, nm[keep], matrix[keep, at], lines[keep], column.angle, group)
@@ -334,26 +339,21 @@ def _titles(table):
     return {}
 
 
-def _without_faults(text, rows, nm, axis, at, values):
-    """Places of the rows that count: those without a fault, or with one that lies in the visible and is refused."""
-    keep = np.ones(len(rows), bool)
+def _without_faults(text, rows, nm, axis, at, matrix):
+    """Which rows count: those without a fault.  One in the visible is refused, one outside of it left out."""
+    missing = np.isnan(nm)
+    empty = missing & np.isnan(matrix[:, at]) | (matrix == 0.0).all(axis=1)
+    keep = ~empty
+    faulty = [place for place, row in enumerate(rows) if row.faults and (ROW in row.faults or axis in row.faults or at in row.faults)]
+    faulty += np.flatnonzero(missing & ~empty).tolist()
     left_out = 0
-    for place, row in enumerate(rows):
-        if np.isnan(nm[place]) and np.isnan(values[place]) and not row.faults:
-            keep[place] = False
-            continue
-        fault = None
-        if row.faults:
-            fault = row.faults.get(ROW) or row.faults.get(axis) or row.faults.get(at)
-        if fault is None and np.isnan(nm[place]):
-            fault = "the wavelength is missing", "a number"
-        if fault is None:
-            continue
-        if not np.isnan(nm[place]) and not 360.0 <= nm[place] <= 780.0 and not (row.faults and axis in row.faults) and nm[place] > 0.0:
+    for place in sorted(set(faulty)):
+        faults = rows[place].faults or {}
+        if not missing[place] and not 360.0 <= nm[place] <= 780.0 and axis not in faults and nm[place] > 0.0:
             keep[place] = False
             left_out += 1
             continue
-        text.refuse(row.line, *fault)
+        text.refuse(rows[place].line, *(faults.get(ROW) or faults.get(axis) or faults.get(at) or ("the wavelength is missing", "a number")))
     if left_out:
         text.assume(f"{left_out} lines outside of 360 to 780 nm left out: they are faulty")
     return keep
@@ -397,6 +397,11 @@ def _told_by_values(text, series):
     line = series.lines[0] if series.lines.size else None
     if not values.size:
         text.refuse(line, "there are no values", "numbers")
+    if not told:
+        told = _by_words_above(text, line)
+    if len(told) > 1:
+        role = text.ask(line, "the second numbers may be", tuple(sorted(told)), "a heading that says what they are")
+        return {"role": role}
     if len(told) == 1:
         role = told.pop()
         text.assume(f"taken as {role}, as the file's name or a remark says")
@@ -419,6 +424,15 @@ def _told_by_values(text, series):
     role = text.ask(line, f"the second numbers, {span}, may be n or R:", ("n", "R", "R in %"),
                     "a heading such as 'wavelength_nm, n' or 'wavelength_nm, R (%)'")
     return {"role": role[0], "unit": "%" if "%" in role else ""}
+
+
+def _by_words_above(text, line):
+    """The quantities that heads of instruments name in their lines: "YUNITS  TRANSMITTANCE"."""
+    found = set()
+    for above in text.lines[:min(line - 1 if line else 0, MOST_LINES_OF_A_HEAD)]:
+        if len(above) < 300:
+            found |= {role for role, words in IN_HEADS.items() if words.search(above)}
+    return found
 
 
 def _by_remarks(text):

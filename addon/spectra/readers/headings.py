@@ -98,7 +98,8 @@ OF_FILE_NAMES = {
 """Words in a file's name that tell what is in a table that tells nothing itself."""
 UNSPACED = re.compile(r"[\s_]+")
 HEADING = re.compile(r"(?P<name>.*?)\s*(?:[(\[{<]\s*(?P<bracketed>[^()\[\]{}<>]*?(?:\([^()]*\))?)\s*[)\]}>]\.?|(?:/|,|;|\bin\b|\ben\b|_|\s)\s*(?P<plain>[^\s/]\S*?)\.?)\s*")
-BRACKETS = re.compile(r"[(\[{]([^()\[\]{}]*)[)\]}]")
+QUOTED = re.compile("[\"'“”„«»‘’`]+(.*?)[\"'“”„«»‘’`]+")
+WORD_AND_SYMBOL = re.compile(r"([^\x00-\x7f]+)\s*[a-zκη]")
 ANGLE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:°|º|deg)")
 LARGEST_ANGLE = 15.0
 """Degrees up to which a mirror reflects as at normal incidence, within a percent of a percent."""
@@ -141,7 +142,9 @@ def column_of(heading):
     >>> column_of("Wavelength (nm)"), column_of("n_Au").role, column_of("%R").unit, column_of("gold").role
     (Column(role='wavelength', unit='nm', name='Wavelength (nm)', angle=0.0), 'n', '%', '')
     """
-    plain = unicodedata.normalize("NFKC", heading).strip().strip("\"'“”„«»‘’` ").strip().lower()
+    plain = unicodedata.normalize("NFKC", heading).strip()
+    quoted = QUOTED.fullmatch(plain)
+    plain = (quoted[1] if quoted else plain.strip("“”„«»` ")).strip().lower()
     plain = plain.replace("micro meter", "micrometer").replace("\\", "")
     name = " ".join(heading.strip().strip("\"'“”„«»` ").split())
     angle = ANGLE.search(plain)
@@ -154,6 +157,9 @@ def column_of(heading):
     whole = ROLES.get(_key(plain))
     if whole and whole != "number":
         return Column(whole, "", name)
+    native = WORD_AND_SYMBOL.fullmatch(plain)
+    if native and native[1] in ROLES:
+        return Column(ROLES[native[1]], "", name)
     if "%" in plain:
         rest = column_of(plain.replace("%", " ").replace("()", " ").replace("[]", " ")) if plain.strip("%()[] ") else None
         if rest is not None and rest.role in {"R", "T", "A"}:
@@ -173,7 +179,8 @@ def _with_unit(stem, unit, name, degrees):
     role = ROLES.get(_key(stem))
     if unit in UNIT_OF and role not in {"other", "number"}:
         axis = AXIS_UNITS[UNIT_OF[unit]]
-        if role in AXES or (role is None or stem in {"e", "f", "ω", "w"}) and not _by_symbol(stem) and stem:
+        named = any(letter.isalpha() for letter in stem) and not any(letter.isdigit() for letter in stem)
+        if role in AXES or (role is None or stem in {"e", "f", "ω", "w"}) and not _by_symbol(stem) and named:
             return Column(axis.kind, UNIT_OF[unit], name)
     if role == "α" and unit in PER_LENGTH:
         return Column("α", unit, name)
@@ -243,7 +250,7 @@ def _splits(line, count):
     plain = unicodedata.normalize("NFKC", line).strip("\r\n ").replace("âµ", "µ").replace("Âµ", "µ")
     for separator in ("\t", ";", "|", ","):
         if separator in plain:
-            cells = plain.split(separator)
+            cells = (plain.strip("| ") if separator == "|" else plain).split(separator)
             while len(cells) > 1 and not cells[-1].strip():
                 cells.pop()
             yield cells

@@ -83,6 +83,7 @@ def checked(text, points, noise=False):
              "nm throughout or µm throughout")
     points = _possible(text, _measured(text, points), noise)
     points = _each_once(text, _in_order(text, points))
+    _say_spikes(text, points)
     if points.wavelength_nm.size < 2:
         text.refuse(points.lines[0] if points.lines.size else None, "is the only point", "at least two wavelengths")
     return points
@@ -171,6 +172,20 @@ def _in_order(text, points):
     if inside(w[1:][step < 0.0]).any():
         text.assume("the wavelengths are in no order: sorted")
     return points.at(np.argsort(w, kind="stable"))
+
+
+def _say_spikes(text, points):
+    """Say where one point of the visible stands far from both its neighbours: a number that was cut, or a typing error."""
+    w, values = points.wavelength_nm, points.values
+    if points.role == "k" and values.max(initial=0.0) < 0.1 or w.size < 5:
+        return
+    left, middle, right = values[:-2], values[1:-1], values[2:]
+    off = np.abs(middle - 0.5 * (left + right))
+    spikes = np.flatnonzero(inside(w[1:-1]) & (off > 0.4 * np.maximum(left, right)) & (off > 3.0 * np.abs(right - left))) + 1
+    if spikes.size == 1:
+        at = spikes[0]
+        text.assume(f"{points.role} at {w[at]:g} nm, {values[at]:g} in line {points.lines[at]}, stands far from both its neighbours: "
+                    "is that number right?")
 
 
 def _out_of_place(points, run):

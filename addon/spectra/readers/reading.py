@@ -70,7 +70,7 @@ def read_file(path, choose=()):
 def read_text(text, name="pasted text", choose=()):
     """The OpticalConstants in a text, as from the clipboard.
 
-    text    of any of the formats
+    text    of any of the formats, or a Text
     name    what messages and the dataset call it
     choose  as :func:`read_file` has it
 
@@ -79,7 +79,7 @@ def read_text(text, name="pasted text", choose=()):
     >>> read_text("lambda/um; n; k\\n0,4; 1,47; 1,95\\n0,7; 0,13; 4,05").at(700.0)[1].tolist()
     4.05
     """
-    return _read(Text(name, text, choose=choose))
+    return _read(text if isinstance(text, Text) else Text(name, text, choose=choose))
 
 
 def format_of(text):

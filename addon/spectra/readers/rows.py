@@ -23,6 +23,7 @@ ROW = -1
 MOST_TABLES = 200
 """In one file, below each other."""
 DATA = re.compile(r"[\"'“”\s,;|(]*[+\-−]?(?:[.,]?\d|nan\b|inf(?:inity)?\b)", re.IGNORECASE)
+BRACKETED = re.compile(r"[\[(]{1,2}([^\[\]]*?)[\])]{0,2}\s*[,;]?")
 PLAIN = re.compile(r"[-+0-9.eE,;|\t ]*")
 COMMA_NUMBER = r"[+-]?\d+(?:,\d+)?(?:[eE][+-]?\d+)?"
 DECIMAL_COMMA_ROW = re.compile(rf"{COMMA_NUMBER}(?:\s+{COMMA_NUMBER})+")
@@ -112,9 +113,13 @@ def _refuse_whole_numbers(text, data, separator, spans):
 
 
 def _content(text):
-    """(number, line, whether it is a remark) of what is not empty."""
+    """(number, line, whether it is a remark) of what is not empty; most lines are plain numbers, and soon done with."""
     begun = False
     for number, line in enumerate(text.lines, 1):
+        if line[:1].isdigit() and PLAIN.fullmatch(line):
+            begun = True
+            yield number, line.rstrip(), False
+            continue
         bare = line.strip(" \f\v\r\n\xa0\u3000")
         start = bare.lstrip()
         if not start or start.lower().startswith("sep="):
@@ -139,9 +144,21 @@ def _content(text):
             bare = bare.split(" //", 1)[0].rstrip()
         if bare.strip("|- :+=\t,;\"_") == "" and ("--" in bare or "==" in bare or "__" in bare):
             continue
+        bare = _without_brackets(bare)
+        if not bare:
+            continue
         if DATA.match(bare):
             begun = True
         yield number, bare, False
+
+
+def _without_brackets(line):
+    """A line of numbers without the brackets of a list that stand around all of it."""
+    if line[0] in "[(" or line.rstrip(",; ")[-1:] in ("]", ")"):
+        inner = BRACKETED.fullmatch(line)
+        if inner and inner[1].count("(") == inner[1].count(")") and (DATA.match(inner[1]) or not inner[1].strip("[]() ,;")):
+            return inner[1].strip("[] ")
+    return line
 
 
 def _separator(data):
@@ -150,6 +167,8 @@ def _separator(data):
     commas = any("," in line for line in sample)
     for separator in ("\t", ";", "|"):
         with_it = sum(separator in line.strip() for line in sample)
+        if separator == ";" and with_it and all(";" not in line.rstrip("; ") and re.search(r"\S\s+\S|,", line.rstrip("; ")) for line in sample):
+            continue
         if with_it == len(sample) or separator != "\t" and with_it or separator == "\t" and with_it > 0.9 * len(sample):
             points = any(re.search(r"\d\.\d", line) for line in sample)
             between = separator == "\t" and commas and all(re.search(r",\s*\t|\t\s*,", line) for line in sample)
@@ -175,8 +194,8 @@ def _cells(line, separator):
     if separator == "," and "(" in line:
         return [cell.strip() for cell in re.split(r",(?![^()]*\))", line)]
     if separator is None:
-        return SPACED_COMPLEX.sub(r"\1", line).split()
-    cells = line.split(separator)
+        return SPACED_COMPLEX.sub(r"\1", line.rstrip("; ")).split()
+    cells = (line.rstrip("; ") if separator == "," else line).split(separator)
     if separator == "|":
         cells = cells[1:] if not cells[0].strip() else cells
         cells = cells[:-1] if len(cells) > 1 and not cells[-1].strip() else cells
@@ -285,9 +304,12 @@ def _joined(text, spans, below):
         if not rows:
             below = above + below
             continue
-        _trim(rows)
+        cut = _trim(rows)
         usual = _usual(rows)
         columns = _headings_above(text, above, usual)
+        if columns is not None and usual < len(columns) <= usual + cut:
+            text.assume("nothing stands below " + ", ".join(repr(column.name) for column in columns[usual:]))
+            columns = columns[:usual]
         if tables and columns is None and usual == last:
             tables[-1].rows += rows
             tables[-1].below += above
@@ -311,12 +333,13 @@ def _usual(rows):
 
 
 def _trim(rows):
-    """Take away the empty cells that all rows end with."""
-    width = max(len(row.values) for row in rows)
+    """Take away the empty cells that all rows end with; how many these are."""
+    whole = width = max(len(row.values) for row in rows)
     while width > 1 and all(len(row.values) < width or _is_empty(row, width - 1) for row in rows):
         for row in rows:
             del row.values[width - 1:]
         width -= 1
+    return whole - width
 
 
 def _is_empty(row, at):
@@ -328,7 +351,8 @@ def _headings_above(text, above, count):
     for at in range(len(above) - 1, -1, -1):
         number, line, remark = above[at]
         columns = columns_of(line, count)
-        if columns is None or remark and len(columns) != count:
+        far = at < len(above) - 3 and not all(column.role for column in columns or ())
+        if columns is None or far or remark and len(columns) != count:
             continue
         if at > 0 and all(not column.role or column.unit and column.is_axis or column.role == "number" for column in columns):
             # Perhaps a row of units; then the names stand above it.
@@ -336,7 +360,7 @@ def _headings_above(text, above, count):
             if names:
                 return _with_units(names, columns)
         before = columns_of(above[at - 1][1], count) if at and not above[at - 1][2] and not remark else None
-        if before and {one.role for one in before} ^ {one.role for one in columns} and any(one.is_axis for one in before):
+        if before and all(one.role for one in before) and {one.role for one in before} ^ {one.role for one in columns} and any(one.is_axis for one in before):
             text.refuse(above[at - 1][0], "there is a line of headings without numbers below", "numbers below it")
         for _, below, _ in above[at + 1:at + 2]:
             columns = _with_unit_row(columns, below)

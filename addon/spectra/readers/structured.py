@@ -24,7 +24,13 @@ MOST_VALUES = 400_000
 def is_json(text):
     """Whether the first letter is one of JSON's, and all of it can be JSON."""
     start = text.content.lstrip()[:1]
-    return start == "{" or start == "[" and text.content.rstrip()[-1:] == "]"
+    if start != "[":
+        return start == "{"
+    try:
+        json.loads(text.content)
+    except (ValueError, RecursionError):
+        return text.suffix == ".json"
+    return True
 
 
 def read_json(text):

@@ -96,7 +96,7 @@ def _table(text, number, below, separator, start, values, unit, lettered):
     if all(not column.role for column in columns[1:]):
         columns[1:] = [Column("", column.unit, column.name) for column in columns[1:]]
         text.assume("one spectrum a row")
-    rows = [Row(number, [values[at], *(row[at] for _, _, row in series)]) for at in range(values.size)]
+    rows = [Row(number, [values[at], *(row[at] for _, _, row in series)], {}) for at in range(values.size)]
     return Table([], rows, columns)
 
 
