@@ -15,7 +15,7 @@ from addon.spectra.readers import Ambiguous, read_file, read_text
 from addon.spectra.readers.glass import FORMULAS
 from addon.spectra.readers.quantities import index_of_permittivity
 from tests.unit.readings import E1, E2, EV, GOLD, READINGS, REFUSED, K, N, R, W, rows
-from tools import what_we_read
+from tools import compare_database, fuzz_readers, what_we_read
 
 WITHIN = 0.01
 
@@ -269,3 +269,16 @@ def test_the_slowest_of_8_mb(form, head, file):
 
 def test_the_page_of_what_we_read_is_that_of_the_tables():
     assert what_we_read.PAGE.read_text(encoding="utf-8") == what_we_read.page(), "run tools/what_we_read.py"
+
+
+# --- the database by its files ---
+
+def test_datasets_by_file_are_those_of_the_bundle():
+    """Every 30th; tools/compare_database.py compares all."""
+    outcomes, different, _ = compare_database.compared(compare_database.files_of_the_package(30))
+    assert outcomes["equal"] > 80 and different == []
+
+
+def test_files_that_were_tampered_with_are_read_or_refused(tmp_path):
+    outcomes, failures, slowest = fuzz_readers.run(600, 3, tmp_path)
+    assert failures == [] and outcomes["read"] > 20 and slowest < 2.0

@@ -25,6 +25,8 @@ LARGEST_PLAIN_INDEX, LEAST_PLAIN_PERCENT = 3.0, 10.0
 Between them lie the percents of glasses and the n of semiconductors alike.
 """
 MOST_SERIES = 2000
+LEAST_N_WITHOUT_K, LEAST_K_OF_A_METAL, LARGEST_N = 1.0, 0.5, 12.0
+"""No material has n below the first and k below the second throughout, nor n above the last: R may be meant."""
 MOST_LINES_OF_A_HEAD = 100
 IN_HEADS = {role: re.compile(words, re.IGNORECASE) for role, words in {
     "R": r"\breflect(ance|ivity|ion)\b|%\s?R\b|\bR\s?%|\breflexion", "T": r"\btransmi(ttance|ssion|ssivity)\b|%\s?T\b|\bT\s?%",
@@ -99,8 +101,7 @@ class Layout:
 
 
 def _laid_out(text, table):
-    usable = [row for row in table.rows if not (row.faults and ROW in row.faults)]
-    is_complex = any(type(value) is complex for row in usable if row.faults is not None for value in row.values)
+    is_complex = any(type(value) is complex for row in table.rows if row.faults is not None for value in row.values)
     matrix = np.array([row.values for row in table.rows], complex if is_complex else float)
     real = matrix.real
     columns = table.columns or _columns_by_values(text, table, matrix)
@@ -189,6 +190,14 @@ def _three(text, real):
     if _only_the_last_is_axis(real):
         text.assume("columns taken as n, k, wavelength: there are no headings, and only the last can be wavelengths")
         return [Column("n"), Column("k"), Column("axis")]
+    second, third = real[np.isfinite(real[:, 1]), 1], np.abs(real[np.isfinite(real[:, 2]), 2])
+    if second.size and third.size and (second.max() < LEAST_N_WITHOUT_K and third.max() < LEAST_K_OF_A_METAL or np.median(second) > LARGEST_N):
+        percent = np.median(second) > LARGEST_N
+        readings = ("R in % and another", "n and k") if percent else ("R and another", "n and k")
+        span = f"{second.min():g} to {second.max():g}"
+        if text.ask(None, f"the second numbers, {span}, beside third ones to {third.max():g}, may be", readings,
+                    "headings that say what they are") != "n and k":
+            return [Column("axis"), Column("R", "%" if percent else ""), Column("other")]
     text.assume("columns taken as wavelength, n, k: there are no headings")
     return [Column("axis"), Column("n"), Column("k")]
 
@@ -509,8 +518,8 @@ def _told_half(partner, series, half, other):
 
 
 def _ask_for_k(text, series):
-    """Refuse n of a file that is named as half of a pair, unless it can be all: clear materials."""
-    named = quantity_of_name(text.name[:-len(text.suffix) or None]) == "n"
-    if named and (text.suffix == ".spd" or ".eta" in text.name.lower()) and text.chosen(("k = 0",)) is None:
+    """Refuse n that only a file's name or a remark calls so: that is half of a pair."""
+    named = "n" in {quantity_of_name(text.name[:-len(text.suffix) or None]), _by_remarks(text)}
+    if named and (not series.name or text.suffix == ".spd" or ".eta" in text.name.lower()):
         text.ask(None, "has n alone, half of a pair, and no file with k lies beside it;", ("k = 0",),
                  "the other half in a file beside it, named alike")

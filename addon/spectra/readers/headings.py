@@ -29,7 +29,7 @@ QUANTITIES = {
     "axis": ("x",),
     "n": (
         "n", "nr", "n real", "real n", "re n", "re(n)", "real(n)", "n(λ)", "n'", "n (real)", "index", "index n", "re(index)", "real(index)",
-        "index real", "index(real)", "ref. index", "ri", "ior", "eta", "η", "refractive index", "refraction index", "refractive index n",
+        "index real", "index(real)", "ref. index", "refr. index", "refr index", "ref index", "ri", "ior", "eta", "η", "refractive index", "refraction index", "refractive index n",
         "index of refraction", "real index", "real part", "real part of index", "real part of refractive index",
         "real refractive index", "refractive", "refindex", "brechungsindex", "brechzahl", "realteil", "indice", "indice de réfraction",
         "índice de refracción", "índice", "indice di rifrazione", "índice de refração", "brekingsindex", "brytningsindex",
@@ -37,7 +37,7 @@ QUANTITIES = {
     "k": (
         "k", "κ", "kappa", "ki", "n imag", "imag n", "im n", "im(n)", "imag(n)", "k(λ)", "n''", 'n"', "ni", "n (imag)", "index k", "im(index)",
         "imag(index)", "index imag", "index(imag)", "extinction", "extinction coefficient", "extinction coeff", "extinction coefficient k", "extinction index",
-        "absorption index", "ext. coeff.", "ext coeff", "imaginary index", "imaginary part", "imaginary part of refractive index",
+        "absorption index", "ext. coeff.", "ext coeff", "ext. coef.", "ext coef", "ext. coefficient", "imaginary index", "imaginary part", "imaginary part of refractive index",
         "imaginary refractive index", "extinktion", "extinktionskoeffizient", "extinktionskoeff.", "absorptionsindex", "imaginärteil",
         "coefficient d'extinction", "coeficiente de extinción", "coefficiente di estinzione", "coeficiente de extinção",
         "współczynnik ekstynkcji", "показатель поглощения", "коэффициент экстинкции", "коэффициент поглощения k", "消光系数",

@@ -27,8 +27,8 @@ LARGEST_GAP_NM = 75.0
 SAME = 0.05
 """Share by which two values at one wavelength may differ, and the floor that it is a share of."""
 SAME_FLOOR = 0.05
-STEEP_NM = 10.0
-"""Between neighbours of a curve so dense that it may climb at one wavelength."""
+DENSE_NM = 10.0
+"""Between neighbours of a curve so dense that two values at one wavelength are its noise, or its slope."""
 K_NOISE, R_NOISE, R_ABOVE = -0.005, -0.005, 1.05
 """What is still the noise of an instrument: k and R below 0, R above 1."""
 K_NOISE_OF_THE_DATABASE = -0.1
@@ -165,8 +165,8 @@ def _in_order(text, points):
         points = points.at(slice(None, None, -1))
         w, step = points.wavelength_nm, -step[::-1]
     run = np.concatenate([[0], np.cumsum(step < 0.0)])
-    at = _out_of_place(points, run)
-    if at is not None:
+    if _is_out_of_place(points, run):
+        at = int(np.argmax(step < 0.0)) + 1
         text.refuse(points.lines[at], f"the wavelength {w[at]:.10g} nm is below the one before",
                     "wavelengths that ascend or fall")
     if inside(w[1:][step < 0.0]).any():
@@ -188,25 +188,18 @@ def _say_spikes(text, points):
                     "is that number right?")
 
 
-def _out_of_place(points, run):
-    """The first point of the visible whose value other runs of ascending points contradict, or None."""
-    w, values = points.wavelength_nm, points.values
-    if run[-1] > 200:
-        return int(np.flatnonzero(np.diff(w) < 0.0)[0]) + 1
-    for one in range(1, run[-1] + 1):
-        mine = np.flatnonzero((run == one) & inside(w))
-        if not mine.size:
-            continue
-        for other in range(run[-1] + 1):
-            theirs = run == other
-            if other == one or not theirs.any():
-                continue
-            within = mine[(w[mine] > w[theirs].min()) & (w[mine] < w[theirs].max())]
-            expected = np.interp(w[within], w[theirs], values[theirs])
-            wrong = np.abs(values[within] - expected) > SAME * np.maximum(np.abs(expected), SAME_FLOOR)
-            if wrong.any():
-                return int(within[wrong][0])
-    return None
+def _is_out_of_place(points, run):
+    """Whether a point of the visible, once sorted, does not lie between its neighbours, or nearly."""
+    order = np.argsort(points.wavelength_nm, kind="stable")
+    w, values = points.wavelength_nm[order], points.values[order]
+    moved = (run != np.bincount(run).argmax())[order] & inside(w)
+    seen = values[inside(w)]
+    room = SAME * (np.ptp(seen) + np.maximum(np.abs(values), SAME_FLOOR)) if seen.size else 0.0
+    low = np.minimum(np.roll(values, 1), np.roll(values, -1)) - room
+    high = np.maximum(np.roll(values, 1), np.roll(values, -1)) + room
+    wrong = moved & ((values < low) | (values > high))
+    wrong[[0, -1]] = False
+    return bool(wrong.any())
 
 
 def _each_once(text, points):
@@ -216,7 +209,7 @@ def _each_once(text, points):
     if not again.size:
         return points
     differ = np.abs(values[again] - values[again - 1]) > SAME * np.maximum(np.abs(values[again]), SAME_FLOOR)
-    seen = [at for at in again[differ & inside(w[again])] if not _on_a_steep_edge(w, values, at)]
+    seen = [at for at in again[differ & inside(w[again])] if not _in_a_dense_table(w, values, at)]
     if seen:
         text.refuse(max(points.lines[seen[0] - 1], points.lines[seen[0]]), f"the wavelength {w[seen[0]]:.10g} nm comes again", "each once")
     if inside(w[again]).any():
@@ -224,12 +217,12 @@ def _each_once(text, points):
     return Points(points.role, ascending(w), values, points.lines)
 
 
-def _on_a_steep_edge(w, values, at):
-    """Whether two values at one wavelength are two of a curve that climbs between close neighbours."""
-    if at < 2 or at + 1 >= w.size or w[at + 1] - w[at - 2] > 2.0 * STEEP_NM:
+def _in_a_dense_table(w, values, at):
+    """Whether two values at one wavelength lie between close neighbours, as where a steep curve was digitised."""
+    if at < 2 or at + 1 >= w.size or w[at + 1] - w[at - 2] > 2.0 * DENSE_NM:
         return False
-    four = np.diff(values[at - 2:at + 2])
-    return bool((four >= 0.0).all() or (four <= 0.0).all())
+    around, two = values[[at - 2, at + 1]], values[at - 1:at + 1]
+    return bool(0.9 * around.min() <= two.min() and two.max() <= 1.1 * around.max())
 
 
 def _require(text, lines, values, holds, found, expected):

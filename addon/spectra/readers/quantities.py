@@ -22,7 +22,10 @@ def index_of_permittivity(e1, e2):
     >>> [float(value.round(6)) for value in index_of_permittivity(np.array(-1.0), np.array(0.0))]
     [0.0, 1.0]
     """
-    root = np.sqrt(np.asarray(e1, float) + 1j * np.asarray(e2, float))
+    permittivity = np.empty(np.shape(e1), complex)
+    permittivity.real, permittivity.imag = e1, e2
+    with np.errstate(all="ignore"):
+        root = np.sqrt(permittivity)
     return root.real, root.imag
 
 

@@ -99,6 +99,13 @@ def _is_numbers(value):
             and all(isinstance(one, (int, float, type(None))) and not isinstance(one, bool) for one in value))
 
 
+def _numbers_of(value):
+    """A list of numbers as it is, and of one whose numbers are written as text as well."""
+    if isinstance(value, list) and len(value) > 1 and all(isinstance(one, str) and NUMBER.fullmatch(one.strip()) for one in value):
+        return [float(one) for one in value]
+    return value
+
+
 def _heading(key, units):
     """A heading for a list's name, with the unit that stands beside it: wavelength_unit, units …"""
     plain = str(key)
@@ -113,7 +120,7 @@ def _heading(key, units):
 
 def _of_lists(value, units):
     """Lines of lists of one length, one of which is an axis."""
-    lists = {key: one for key, one in value.items() if _is_numbers(one)}
+    lists = {key: found for key, one in value.items() if _is_numbers(found := _numbers_of(one))}
     axes = [key for key in lists if column_of(str(key)).is_axis]
     if not axes:
         return None
