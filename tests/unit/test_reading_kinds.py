@@ -9,7 +9,7 @@ import pytest
 from addon.bake import bake, preview, preview_text
 from addon.bake.reflected import AT_NORMAL, reflect
 from addon.errors import FacetFilmError
-from addon.export import json_text
+from addon.export import json_text, spectrum_csv
 from addon.spectra import optical_constants
 from addon.spectra.readers import Ambiguous, read_file, read_text
 from addon.spectra.readers.glass import FORMULAS
@@ -269,6 +269,34 @@ def test_the_slowest_of_8_mb(form, head, file):
 
 def test_the_page_of_what_we_read_is_that_of_the_tables():
     assert what_we_read.PAGE.read_text(encoding="utf-8") == what_we_read.page(), "run tools/what_we_read.py"
+
+
+@pytest.mark.parametrize("name", TAMPERED[::3])
+def test_what_a_file_gave_is_kept_as_csv_under_its_name(name, tmp_path):
+    """A material keeps its measurement so, and reads it again without the file, whatever the name says."""
+    reading = READINGS[name]
+    path = tmp_path / reading.file
+    path.write_bytes(reading.content)
+    constants = read_file(path)
+    again = read_text(spectrum_csv(constants), reading.file)
+    np.testing.assert_allclose(f0_of(again), f0_of(constants), atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["x.yml", "absorb.txt", "Au.eta.spd", "k.txt", "x.json", "x.agf", "x.mat", "x.nk"])
+def test_our_own_csv_is_read_under_any_name(name):
+    for dataset in ("main/Au/Johnson", "main/SiO2/Malitson"):
+        theirs = optical_constants.load(dataset)
+        np.testing.assert_allclose(f0_of(read_text(spectrum_csv(theirs), name)), f0_of(theirs), atol=1e-9)
+
+
+def test_a_number_that_stands_far_from_its_neighbours_is_asked_about():
+    for at, values in ((12, N), (12, K), (14, R)):
+        wrong = values.copy()
+        wrong[at] *= 0.1
+        columns = (W, wrong, K) if values is N else (W, N, wrong) if values is K else (W, wrong)
+        text = ("nm,R\n" if values is R else "nm,n,k\n") + rows(*columns)
+        assert any(f"in line {at + 2}, stands far" in line for line in read_text(text).assumed)
+    assert not any("stands far" in line for line in read_text("nm,n,k\n" + rows(W, N, K)).assumed)
 
 
 # --- the database by its files ---

@@ -204,7 +204,9 @@ def _three(text, real):
 
 def _only_the_last_is_axis(real):
     first, last = real[:, 0], real[:, 2]
-    lengths = [unit for unit in units.fitting(last) if unit in {"nm", "µm"}] if _is_axis(last) else []
+    step = np.diff(last[np.isfinite(last)])
+    orderly = step.size > 1 and max(np.mean(step > 0.0), np.mean(step < 0.0)) >= (0.85 if step.size > 6 else 1.0)
+    lengths = [unit for unit in units.fitting(last) if unit in {"nm", "µm"}] if orderly and np.nanmin(last) > 0.0 else []
     return bool(lengths) and not _is_axis(first) and np.nanmax(first) < 20.0 and np.isfinite(first).all()
 
 
@@ -520,6 +522,6 @@ def _told_half(partner, series, half, other):
 def _ask_for_k(text, series):
     """Refuse n that only a file's name or a remark calls so: that is half of a pair."""
     named = "n" in {quantity_of_name(text.name[:-len(text.suffix) or None]), _by_remarks(text)}
-    if named and (not series.name or text.suffix == ".spd" or ".eta" in text.name.lower()):
+    if named and not series.name:
         text.ask(None, "has n alone, half of a pair, and no file with k lies beside it;", ("k = 0",),
                  "the other half in a file beside it, named alike")

@@ -13,7 +13,7 @@ from ..optical_constants import (
     on_common_wavelengths,
 )
 
-__all__ = ["Points", "checked", "constants", "LICENCE"]
+__all__ = ["Points", "checked", "constants", "LICENCE", "why_k_is_missing"]
 
 LICENCE = "the user's own data"
 LEAST_COVER_NM = 50.0
@@ -27,6 +27,8 @@ LARGEST_GAP_NM = 75.0
 SAME = 0.05
 """Share by which two values at one wavelength may differ, and the floor that it is a share of."""
 SAME_FLOOR = 0.05
+SPIKE = 0.2
+"""Share of its neighbours by which a point lies outside of what is between them, so that it is worth a question."""
 DENSE_NM = 10.0
 """Between neighbours of a curve so dense that two values at one wavelength are its noise, or its slope."""
 K_NOISE, R_NOISE, R_ABOVE = -0.005, -0.005, 1.05
@@ -180,10 +182,11 @@ def _say_spikes(text, points):
     if points.role == "k" and values.max(initial=0.0) < 0.1 or w.size < 5:
         return
     left, middle, right = values[:-2], values[1:-1], values[2:]
-    off = np.abs(middle - 0.5 * (left + right))
-    spikes = np.flatnonzero(inside(w[1:-1]) & (off > 0.4 * np.maximum(left, right)) & (off > 3.0 * np.abs(right - left))) + 1
-    if spikes.size == 1:
-        at = spikes[0]
+    high, low = np.maximum(left, right), np.minimum(left, right)
+    away = np.maximum(middle - high, low - middle) / np.maximum(high, 1e-12) * inside(w[1:-1])
+    spikes = np.flatnonzero(away > SPIKE) + 1
+    if spikes.size and np.ptp(spikes) <= 2:
+        at = spikes[away[spikes - 1].argmax()]
         text.assume(f"{points.role} at {w[at]:g} nm, {values[at]:g} in line {points.lines[at]}, stands far from both its neighbours: "
                     "is that number right?")
 
@@ -268,17 +271,26 @@ def constants(text, found, citation=LICENCE, database=False):
     return OpticalConstants(wavelength, n, k, range_nm=(float(low), float(high)), assumed=tuple(text.assumed), **about)
 
 
+def why_k_is_missing(wavelength_nm, n):
+    """Why n alone cannot be all that there is, or "": metals have n below 1, or n that rises towards the red.
+
+    >>> why_k_is_missing(np.array([400.0, 700.0]), np.array([1.5, 1.4])), why_k_is_missing(np.array([400.0, 700.0]), np.array([1.6, 0.2]))
+    ('', 'n falls to 0.2')
+    """
+    core = (wavelength_nm >= CORE_NM[0]) & (wavelength_nm <= CORE_NM[1])
+    ends = np.interp([max(wavelength_nm[0], CORE_NM[0]), min(wavelength_nm[-1], CORE_NM[1])], wavelength_nm, n)
+    least = min(ends.min(), n[core].min(initial=np.inf))
+    if least < LEAST_N_ALONE:
+        return f"n falls to {least:g}"
+    return f"n rises from {ends[0]:g} to {ends[1]:g} towards the red" if ends[1] - ends[0] > LARGEST_RISE else ""
+
+
 def _alone(text, n, database):
-    """Whether k = 0 is the caller's choice, where n alone cannot be all: metals have n below 1, or n that rises."""
-    w, values = n.wavelength_nm, n.values
-    core = (w >= CORE_NM[0]) & (w <= CORE_NM[1])
-    ends = np.interp([max(w[0], CORE_NM[0]), min(w[-1], CORE_NM[1])], w, values)
-    least = min(ends.min(), values[core].min(initial=np.inf))
-    absorbs = least < LEAST_N_ALONE or ends[1] - ends[0] > LARGEST_RISE
-    if database or not absorbs:
+    """Whether k = 0 is the caller's choice, where n alone cannot be all; in the database it is all that is known."""
+    why = why_k_is_missing(n.wavelength_nm, n.values)
+    if database or not why:
         text.assume("no k is given: taken as 0")
         return False
-    why = f"n falls to {least:g}" if least < LEAST_N_ALONE else f"n rises from {ends[0]:g} to {ends[1]:g} towards the red"
     text.ask(None, f"has n alone, half of a pair: {why}, as only where light is absorbed, so that k is missing;", ("k = 0",),
              "n and k, or the other half in a file beside it")
     text.assume("no k is given: taken as 0, as chosen")

@@ -107,8 +107,8 @@ def _reflectance(text, series):
         text.refuse(None, f"R is at {series.angle:g}°", "the reflectance at normal incidence, or near it")
     values = series.values.real
     seen = values[np.isfinite(values)]
-    if series.unit == "%" and seen.size and 0.0 < seen.max() <= 1.0:
-        percent = text.ask(series.lines[0], f"R, {seen.min():g} to {seen.max():g}, is headed with % and below 1 throughout: it may be",
+    if series.unit == "%" and seen.size and 0.0 < seen.max() <= LEAST_PERCENT:
+        percent = text.ask(series.lines[0], f"R, {seen.min():g} to {seen.max():g}, is headed with % and small throughout: it may be",
                            ("in %", "a share"), "numbers up to 100, or a heading without %") == "in %"
     else:
         percent = series.unit == "%" or bool(seen.size and (seen > 1.0).all() and seen.max() > LEAST_PERCENT)

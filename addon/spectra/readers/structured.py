@@ -271,7 +271,7 @@ def _words(line):
     return [quoted or bare for quoted, bare in re.findall(r'"([^"]*)"|(\S+)', line)]
 
 
-PBRT = re.compile(r'"(?:spectrum|float)\s+(?:\w+\.)?(eta|k)"\s*\[?\s*((?:[-+0-9.eE]+\s+)+[-+0-9.eE]+|"[^"]*")\s*\]?')
+PBRT = re.compile(r'"(?:spectrum|float)\s+(?:\w+\.)?(eta|k)"\s*(?:\[\s*([^\]]*?)\s*\]|("[^"]*"))')
 MITSUBA = re.compile(r'<spectrum\b[^>]*?\bname\s*=\s*"(?:\w*_)?(eta|k|reflectance|specular_reflectance)"[^>]*?\b(value|filename)\s*=\s*"([^"]*)"', re.IGNORECASE)
 
 
@@ -290,7 +290,7 @@ def read_scene(text):
     [2.0, 4.0]
     """
     lines, seen = [], set()
-    found = [(match[1].lower(), match[2]) for match in PBRT.finditer(text.content)]
+    found = [(match[1].lower(), match[2] or match[3] or "") for match in PBRT.finditer(text.content)]
     found += [(match[1].lower(), match[3] if match[2].lower() == "value" else f'"{match[3]}"') for match in MITSUBA.finditer(text.content)]
     for name, content in found:
         if content.startswith('"'):

@@ -44,6 +44,8 @@ def _axis_of(head):
         match = WITH_LETTERS.fullmatch(cell) if cell else None
         if match is None:
             if found:
+                if any(letter.isdigit() for rest in head[at:] for letter in rest):
+                    return None  # one of the wavelengths is no number
                 break
             start = at + 1
             continue
