@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import models
-from .models.model import REALISATIONS
+from .models.realisations import REALISATIONS
 
 if TYPE_CHECKING:
     import bpy

@@ -110,6 +110,7 @@ class Job:
     def save_scene(self, name):
         """Save the open file, packed small, to open in Blender."""
         import bpy
+
         from .progress import blender_silent
         self.scenes.mkdir(parents=True, exist_ok=True)
         path = (self.scenes / f"{name}.blend").resolve()

@@ -8,7 +8,6 @@ from matplotlib import rcParams
 from matplotlib.figure import Figure as Canvas
 
 from addon.bake import reflected, ways
-from addon.bake.colour import spectral_weights
 from addon.bake.gamut import map_colours
 from addon.catalogue.resolving import resolve
 from addon.models.cook_torrance import formulas as ct

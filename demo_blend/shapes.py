@@ -1,7 +1,7 @@
 """Solids for the sets: boxes with rounded edges, flat polygons, digits of seven segments."""
 
-import bpy
 import bmesh
+import bpy
 import numpy as np
 
 __all__ = ["rounded_box", "polygon", "seven_segments"]

@@ -42,10 +42,12 @@ class Layout:
         """Note the button."""
         return self.operator(name, text)
 
-    def prop(self, data, name, **_options):
-        """Read the property."""
+    def prop(self, data, name, text="", **_options):
+        """Read the property, and note what it is called where that is not its own name."""
         getattr(data, name)
         self.properties.append(name)
+        if text:
+            self.texts.append(text)
 
     prop_menu_enum = template_icon_view = prop
 

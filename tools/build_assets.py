@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from addon.catalogue import presets  # noqa: E402
+from addon.catalogue.kinds import KINDS  # noqa: E402
 from tools import stamps  # noqa: E402
 
 __all__ = ["AUTHOR", "CATALOGUES", "FILE", "LICENCE", "build", "catalogue_text", "ensure"]
@@ -30,7 +31,7 @@ AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
 THUMBNAILS = ROOT / "addon" / "thumbnails"
 GROUPS = "group"
-CATALOGUES = {**presets.KINDS, GROUPS: "Node Groups"}
+CATALOGUES = {**KINDS, GROUPS: "Node Groups"}
 """What an asset is -> its catalogue."""
 
 HEAD = """\

@@ -14,8 +14,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from addon.bake import bake  # noqa: E402
-from addon.models.making import made  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
+from addon.catalogue.kinds import KINDS  # noqa: E402
+from addon.models.making import made  # noqa: E402
 from addon.spectra import tables  # noqa: E402
 
 FILE = ROOT / "docs" / "materials.md"
@@ -51,10 +52,10 @@ def main(path=FILE):
     baked = {preset: (bake(preset.name), made(preset=preset.name).parameters)
              for preset in everything if preset.measured}
     citations = list(dict.fromkeys(found.source.citation for preset, (found, _) in sorted(
-        baked.items(), key=lambda item: list(presets.KINDS).index(item[0].kind)) if preset.dataset))
+        baked.items(), key=lambda item: list(KINDS).index(item[0].kind)) if preset.dataset))
     metals = sum(preset.kind in {"metal", "alloy"} for preset in everything)
     parts = [INTRODUCTION.format(**about | {"tool": TOOL}, count=len(everything), metals=metals)]
-    for kind, title in presets.KINDS.items():
+    for kind, title in KINDS.items():
         of_kind = [preset for preset in everything if preset.kind == kind]
         rows = [row(preset, *baked[preset], citations) for preset in of_kind if preset.measured]
         others = [unmeasured_row(preset) for preset in of_kind if not preset.measured]

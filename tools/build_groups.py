@@ -49,6 +49,8 @@ def build(folder):
     wanted = [group for group in groups.all_groups() if not group.osl]
     for number, group in enumerate(wanted, 1):
         tree = groups.build_group(group.identifier)
+        if not group.stand_in:  # the others get a second shader when they are brought in
+            groups.mark(tree, group)
         bpy.data.libraries.write(str(folder / f"{group.identifier}.blend"), {tree}, fake_user=True, compress=True)
         print(f"{number}/{len(wanted)} {group.name}: {len(tree.nodes)} nodes", flush=True)
 

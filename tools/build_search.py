@@ -11,9 +11,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
-from addon.spectra import names, tables  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
 from addon.catalogue.search import index_line  # noqa: E402
+from addon.spectra import names, tables  # noqa: E402
 
 SHELVES = ("main", "other", "organic", "glass", "3d", "popular_glass", "specs")
 
@@ -29,7 +29,7 @@ def build(folder):
              "source": "presets.json, names.json, refractiveindex.table",
              "version": tables.about("refractiveindex")["version"], "licence": "CC0-1.0", "tool": "tools/build_search.py"}
     found, words = map(list, zip(*materials))
-    tables.pack(folder / "search.table", about, {"found": found, "words": words, "presets": len(presets.all_presets())})
+    tables.pack(folder / "search.table", about, {"found": found, "words": words, "presets": {"names": presets.names()}})
     return len(materials)
 
 

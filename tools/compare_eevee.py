@@ -16,7 +16,8 @@ import numpy as np  # noqa: E402
 
 from addon import api  # noqa: E402
 from addon.blender import compat  # noqa: E402
-from addon.verify import layered_rgb_scenes as layered_scenes, scenes  # noqa: E402
+from addon.verify import layered_rgb_scenes as layered_scenes  # noqa: E402
+from addon.verify import scenes
 from tools.png_file import png_bytes  # noqa: E402
 
 __all__ = ["SPHERES", "pair"]

@@ -5,10 +5,10 @@ import re
 
 import numpy as np
 
+from ..catalogue.resolving import resolve_widely
 from ..errors import FacetFilmError, choice, numbers_of
 from ..reflectance import fresnel
 from ..spectra import names, optical_constants
-from ..catalogue.resolving import resolve_widely
 from .baking import CURVE_TOLERANCE, FORMULAS, FresnelCurve, plain
 from .colour import delta_e_2000, lab, rgb_to_xyz
 from .curve import knots

@@ -66,7 +66,7 @@ def adaptation(white_from, white_to):
     return np.linalg.inv(BRADFORD) @ (gain[:, None] * BRADFORD)
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def rgb_to_xyz(space="Rec.709"):
     """Matrix ``(3, 3)`` from linear RGB to XYZ in which white is that of D65.
 

@@ -11,7 +11,7 @@ from ..catalogue.resolving import require_measured
 from ..errors import FacetFilmError, choice
 from ..reflectance import fresnel
 from ..spectra import illuminants, observers, optical_constants
-from .colour import canonical_space, rgb_to_xyz, spectral_weights
+from .colour import canonical_space, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
 __all__ = [

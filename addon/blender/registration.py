@@ -5,8 +5,19 @@ import bpy
 from . import settings, translations
 from .assets import imported, library, thumbnails
 from .datablocks import groups, menu
-from .operators import (add_group, apply_to_node, asset_library, bake, check, data, realisation, rebake_all, update,
-                        user_presets, verify)
+from .operators import (
+    add_group,
+    apply_to_node,
+    asset_library,
+    bake,
+    check,
+    data,
+    realisation,
+    rebake_all,
+    update,
+    user_presets,
+    verify,
+)
 from .panels import asset_library as asset_library_panel
 from .panels import load_ahead, material, measurement, node_menu, node_sidebar, picker, preferences, versions
 

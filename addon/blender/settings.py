@@ -4,7 +4,7 @@ import functools
 
 import bpy
 
-from ..models.model import REALISATIONS
+from ..models.realisations import REALISATIONS
 from .panels import picker
 
 __all__ = ["CLASSES", "Viewing", "attach", "copy_viewing", "detach", "preset_property", "realisation_property",

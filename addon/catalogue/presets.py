@@ -10,15 +10,7 @@ from typing import Any
 from .. import models
 from ..errors import FacetFilmError, choice
 
-__all__ = ["KINDS", "Preset", "all_presets", "constants", "find", "forget", "names"]
-
-KINDS = {
-    "metal": "Metals", "alloy": "Alloys", "conductor": "Other Conductors", "semiconductor": "Semiconductors",
-    "oxide": "Oxides", "sulphide": "Sulphides", "crystal": "Crystals and Gems", "glass": "Glasses",
-    "liquid": "Liquids", "polymer": "Polymers", "look": "Layered Films", "figure": "The Papers' Figures",
-}
-"""What sorts of presets there are, in the order in which lists show them -> what people call them."""
-
+__all__ = ["Preset", "all_presets", "constants", "find", "forget", "names"]
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Preset:
@@ -26,7 +18,7 @@ class Preset:
 
     name         what scripts call it: small letters, digits and underscores
     title        what people call it
-    kind         one of KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of` says
+    kind         one of addon.catalogue.kinds.KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of` says
     model        the model that it is a material of; "" for a dataset or file, which any that takes a measurement may be
     dataset      "shelf/book/page" that it was measured as, or "" where there is none
     index        in place of a dataset: ((wavelength in nm, n, k), …)

@@ -94,7 +94,7 @@ def _entries():
     someone added.
     """
     kept = tables.lines("search", "words")
-    known = {tables.line("search", "found", place)[0] for place in range(tables.part("search", "presets"))}
+    known = set(tables.part("search", "presets")["names"])
     later = [preset for name, preset in all_presets().items() if name not in known]
     lines = [index_line([p.name, p.title, p.kind, *p.aliases], [p.note, p.estimated]) for p in later]
 

@@ -8,36 +8,7 @@ from typing import NamedTuple
 
 from .parameters import Checked, read, sockets_of, written
 
-__all__ = ["REALISATIONS", "NATIVE", "Baked", "Feed", "Form", "Group", "Look", "Model", "Realisation", "Renderer"]
-
-
-class Realisation(NamedTuple):
-    """A way from a formula to a Cycles material.
-
-    title   what people call it
-    tip     one sentence on when to take it
-    native  whether the renderer's own closures draw it, with its own Fresnel term
-    osl     whether it is a script, which needs Open Shading Language
-    """
-
-    title: str
-    tip: str
-    native: bool = False
-    osl: bool = False
-
-
-REALISATIONS = {
-    "fast": Realisation("Fast", "Native closures: light-sampled, on every device, and in EEVEE", native=True),
-    "exact": Realisation("Exact", "The published formula itself, sampled with nodes alone, on every device; "
-                                  "EEVEE shows Fast"),
-    "osl": Realisation("OSL", "The published formula itself as an OSL script: needs Open Shading Language switched on "
-                              "in Render properties, on the CPU or OptiX; EEVEE shows Fast", osl=True),
-    "osl_fast": Realisation("OSL Fast", "Native closures from an OSL script: needs Open Shading Language switched on",
-                            native=True, osl=True),
-}
-"""Every realisation that a model may have, by its name."""
-
-NATIVE = tuple(name for name, realisation in REALISATIONS.items() if realisation.native)
+__all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Renderer"]
 
 
 class Renderer(NamedTuple):
@@ -136,7 +107,7 @@ class Model:
     citation      the publication
     parameters    its class of checked parameters, with its TABLE
     groups        every Group of its own
-    realisations  {name of REALISATIONS: ids of the groups that render it, the usual one first}
+    realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one first}
     evaluate      function(parameters, n, v, l) -> the whole BRDF in 1/sr, ``(..., 3)``, of unit directions ``(..., 3)``
     facts         function(resolved preset, addon.bake.Bake) -> all that was baked, ready for JSON; for measurements
     bake          function(resolved preset, viewing options, realisation, Renderer) -> Baked

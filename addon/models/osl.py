@@ -1,6 +1,6 @@
 """The group of an OSL realisation: the sockets of the model's table before its script."""
 
-from .model import REALISATIONS
+from .realisations import REALISATIONS
 from .parameters import add_inputs
 
 __all__ = ["build_script"]

@@ -163,6 +163,10 @@ class Colour(Triple):
         """With the alpha that colour sockets have."""
         return {self.socket: (*value, 1.0)}
 
+    def read(self, values):
+        """Without it."""
+        return values[self.socket][:3]
+
     def sockets(self):
         """A colour's socket has no range of its own."""
         return tuple(dataclasses.replace(socket, low=None, high=None) for socket in super().sockets())

@@ -1,6 +1,7 @@
 """What a material is made of, as one value: every door takes it and gives it, files keep it as JSON."""
 
 import dataclasses
+import functools
 import json
 from collections.abc import Mapping
 from typing import Any
@@ -103,6 +104,7 @@ def baked_in(text: str) -> Mapping[str, Any]:
     return held.get("baked", {}) if "format" in held else _without_source(held)
 
 
+@functools.lru_cache(maxsize=16)
 def _held(text):
     """What the JSON holds; {} for what is none, and for what a newer version wrote."""
     try:

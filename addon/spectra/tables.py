@@ -27,7 +27,7 @@ CHUNK = 1 << 13
 
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def read(name):
     """(about, index, values) of the table with this name: a dict, a dict of its parts, a float32 array ``(N,)``.
 
@@ -51,7 +51,7 @@ def about(name):
     return part(name, "about")
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def lines(name, part_name):
     """A list of a table's index, each value as JSON text."""
     count = sum(member.startswith(f"{part_name}/") for member in _archive(name).namelist())
@@ -67,12 +67,12 @@ def line(name, part_name, number):
     return json.loads(_page(name, part_name, number // PAGE)[number % PAGE])
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _page(name, part_name, number):
     return _archive(name).read(f"{part_name}/{number}.jsonl").decode().split("\n")
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def part(name, part_name):
     """A part of a table's index that is no list."""
     return json.loads(_archive(name).read(f"{part_name}.json"))
@@ -90,13 +90,13 @@ def numbers(name, place, count):
     return found[place - first * CHUNK:place - first * CHUNK + count]
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _archive(name):
     # Of a copy: an open file could not be replaced on Windows when the extension is updated.
     return zipfile.ZipFile(io.BytesIO((DIRECTORY / f"{name}.table").read_bytes()))
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _chunk(name, number):
     planes = np.frombuffer(_archive(name).read(f"values/{number}.f4"), np.uint8).reshape(4, -1)
     return np.ascontiguousarray(planes.T).view("<f4").ravel()

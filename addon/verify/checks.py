@@ -62,7 +62,7 @@ class Check:
     """One thing that is rendered and held against its formula.
 
     model        name of a model, or "data"
-    realisation  one of addon.models.model.REALISATIONS, or "" for what is not rendered
+    realisation  one of addon.models.realisations.REALISATIONS, or "" for what is not rendered
     name         unique among the checks of a model and realisation
     what         what is compared with what, in a sentence
     measure      function(realisation, parameters of the material, parameters of the formula) -> Outcome

@@ -7,8 +7,8 @@ import numpy as np
 from .. import api
 from ..blender import compat
 from ..models.cook_torrance import formulas as ct
-from ..reflectance import fresnel, masking
 from ..models.cook_torrance.albedo import cook_torrance_albedo
+from ..reflectance import fresnel, masking
 from . import cook_torrance_scenes as probes
 from . import scenes
 from .checks import Check, Figure, Outcome, Picture

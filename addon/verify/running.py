@@ -9,7 +9,7 @@ import time
 
 from .. import models
 from ..errors import FacetFilmError, choice
-from ..models.model import REALISATIONS
+from ..models.realisations import REALISATIONS
 
 __all__ = ["checks", "groups", "verify", "DEVICES", "REPORT"]
 

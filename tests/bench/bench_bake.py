@@ -24,8 +24,8 @@ import numpy as np  # noqa: E402
 
 from addon.bake import bake, baking  # noqa: E402
 from addon.bake.reflected import ANGLES, reflect  # noqa: E402
-from addon.spectra import optical_constants  # noqa: E402
 from addon.catalogue.search import search  # noqa: E402
+from addon.spectra import optical_constants  # noqa: E402
 
 QUERIES = ("gold babar", "titanium oxide", "stainless steel", "tungstn", "schott n-bk7")
 

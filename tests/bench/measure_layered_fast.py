@@ -14,7 +14,13 @@ import numpy as np
 
 from tests.render import probes
 from tests.render.layered_scenes import (
-    TILE_ANGLES, Reference, furnace_means, furnace_tiles, material, sphere_reference, tile_normal,
+    TILE_ANGLES,
+    Reference,
+    furnace_means,
+    furnace_tiles,
+    material,
+    sphere_reference,
+    tile_normal,
 )
 
 LAYERS = {

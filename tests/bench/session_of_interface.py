@@ -61,7 +61,7 @@ def draw():
 def preset():
     """Presets put on the cube from the panel, one after the other; of the later ones the slowest."""
     panels_drawn()()  # there is nothing to click before
-    import_module(f"{MODULE}.addon.blender.load_ahead").load()  # as a window does then, idle before the first click
+    import_module(f"{MODULE}.addon.blender.panels.load_ahead").load()  # as a window does then, idle before the first click
     first, *later = (timed(lambda: bpy.ops.facet_film.bake_preset(preset=name)) for name in PRESETS)
     return {"first": first, "later": max(later)}
 
@@ -71,7 +71,7 @@ def search():
     panels_drawn()()
     settings = import_module(f"{MODULE}.addon.blender.settings")
     texts = [text[:end] for text in TYPED for end in range(1, len(text) + 1)]
-    first, *later = (timed(lambda: settings.search_measured(None, None, text)) for text in texts)
+    first, *later = (timed(lambda: settings.search_presets(None, None, text)) for text in texts)
     return {"first": first, "later": max(later)}
 
 

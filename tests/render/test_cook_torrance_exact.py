@@ -10,10 +10,10 @@ import pytest
 
 from addon import api
 from addon.models.cook_torrance import formulas as ct
-from addon.reflectance import fresnel, masking, slopes
 from addon.models.cook_torrance.albedo import cook_torrance_albedo
-from tests.render import probes
+from addon.reflectance import fresnel, masking, slopes
 from tests.render import cook_torrance_scenes as scenes
+from tests.render import probes
 from tests.render.cook_torrance_scenes import COPPER, FIGURE_6B
 
 SEEDS = 6

@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from addon import api, models
-from addon.errors import FacetFilmError
 from addon.catalogue import presets
+from addon.errors import FacetFilmError
 from tests.render import probes
 
 PIXELS = 3

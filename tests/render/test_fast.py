@@ -6,8 +6,8 @@ import pytest
 from addon import api
 from addon.blender import compat
 from addon.models.cook_torrance import formulas as ct
-from addon.reflectance import fresnel, masking
 from addon.models.cook_torrance.albedo import cook_torrance_albedo
+from addon.reflectance import fresnel, masking
 from tests.render import probes
 
 RESOLUTION = 64

@@ -77,6 +77,12 @@ def test_changed_physics_change_the_fingerprint(monkeypatch):
     assert "raise its version" in build_groups.why_not_recorded(now, recorded)["cook_torrance_exact"]
 
 
+def test_every_kind_of_node_in_our_groups_is_known_to_the_fingerprint():
+    """So that none of its settings is forgotten."""
+    kinds = {node.bl_idname for group in GROUPS.values() for node in groups.node_group(group.identifier).nodes}
+    assert kinds - {"NodeFrame"} <= set(fingerprints.SETTINGS)
+
+
 @pytest.mark.parametrize("change", [
     lambda tree, item: setattr(item, "default_value", 0.35), lambda tree, item: setattr(item, "max_value", 0.9),
     lambda tree, item: setattr(item, "name", "Rms Slope"), lambda tree, item: tree.interface.remove(item),

@@ -9,7 +9,15 @@ from addon.models.layered_rgb import formulas as layered
 from addon.verify import layered_rgb_scenes as scenes_of_layers
 from tests.render import probes
 from tests.render.layered_scenes import (
-    TILE_ANGLES, Reference, furnace_means, furnace_tiles, material, ring_means, rings, sphere_reference, tile_normal,
+    TILE_ANGLES,
+    Reference,
+    furnace_means,
+    furnace_tiles,
+    material,
+    ring_means,
+    rings,
+    sphere_reference,
+    tile_normal,
 )
 
 FIGURE_3 = dict(ior=(1.4, 1.45, 1.6), exponent_r=90.0, exponent_t=170.0, diffuse=0.0)

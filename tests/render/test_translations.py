@@ -14,7 +14,7 @@ from addon.blender import registration
 from addon.blender.datablocks import groups, menu
 from addon.blender.operators import bake
 from addon.blender.translations import LANGUAGES
-from addon.catalogue.presets import KINDS
+from addon.catalogue.kinds import KINDS
 from addon.errors import FacetFilmError
 from addon.models import all_models
 from addon.spectra.illuminants import TITLES

@@ -4,12 +4,12 @@ import colour
 import numpy as np
 import pytest
 
-from addon.models.making import made
 from addon.bake import bake
 from addon.bake.colour import delta_e_2000, lab, rgb_to_xyz
 from addon.bake.curve import knots
 from addon.bake.gamut import map_colours
 from addon.errors import FacetFilmError
+from addon.models.making import made
 from addon.reflectance import fresnel
 from addon.spectra import optical_constants
 

@@ -6,8 +6,8 @@ from numpy.testing import assert_allclose
 from scipy import integrate, special
 
 from addon.models.cook_torrance import formulas as ct
-from addon.reflectance import fresnel, masking, slopes
 from addon.models.cook_torrance.albedo import cook_torrance_albedo, directional_albedo
+from addon.reflectance import fresnel, masking, slopes
 from addon.reflectance.directions import cosines, direction, frame_about, half_vector, in_frame, mirrored
 
 UP = direction(0.0, 0.0)
@@ -145,7 +145,7 @@ def test_published_gaussian_takes_the_printed_c():
     options = {"slopes": [(0.2, 1.0)], "distribution": "gaussian", "scale": ct.PUBLISHED, **COPPER}
     one = ct.cook_torrance(UP, UP, UP, printed_c=1.0, **options)
     assert_allclose(ct.cook_torrance(UP, UP, UP, printed_c=3.0, **options), 3.0 * one)
-    assert_allclose(one, fresnel.conductor(1.0, **{"n": COPPER["index"], "k": COPPER["extinction"]}) / np.pi)
+    assert_allclose(one, fresnel.conductor(1.0, n=COPPER["index"], k=COPPER["extinction"]) / np.pi)
 
 
 def test_masking_can_be_exchanged():

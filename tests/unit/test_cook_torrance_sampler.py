@@ -8,8 +8,8 @@ from scipy.stats import qmc
 
 from addon.models.cook_torrance import formulas as ct
 from addon.models.cook_torrance import sampler
-from addon.reflectance import masking, sampling, slopes
 from addon.models.cook_torrance.albedo import cook_torrance_albedo, facet_normals
+from addon.reflectance import masking, sampling, slopes
 from addon.reflectance.directions import direction, facing, half_vector, mirrored
 from addon.reflectance.fresnel import conductor, f82, f82_factor
 

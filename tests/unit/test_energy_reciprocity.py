@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from addon.models.cook_torrance import formulas as ct
-from addon.models.layered_rgb import formulas as layered
 from addon.models.cook_torrance.albedo import cook_torrance_albedo
+from addon.models.layered_rgb import formulas as layered
 from addon.reflectance.directions import direction
 
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from addon.reflectance import directions
 from addon.models.layered_rgb import formulas as layered
 from addon.models.layered_rgb.lobes import exit_directions, exit_plane, lobe_colours, native_lobes
+from addon.reflectance import directions
 
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
 WAVELENGTHS = np.array(layered.WAVELENGTHS)

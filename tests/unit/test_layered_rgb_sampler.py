@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from addon.reflectance import directions
 from addon.models.layered_rgb import formulas as layered
 from addon.models.layered_rgb import sampler
+from addon.reflectance import directions
 
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
 CASES = [

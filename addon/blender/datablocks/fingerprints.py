@@ -9,9 +9,17 @@ from .. import compat
 
 __all__ = ["fingerprint", "fingerprint_0_1_0"]
 
-PROPERTIES = ("operation", "distribution", "fresnel_type", "data_type", "noise_dimensions", "rotation_type",
-              "direction_type", "axis", "clamp_factor", "mode")
-"""Settings of nodes that decide what they compute."""
+SETTINGS = {
+    "ShaderNodeMath": ("operation", "use_clamp"), "ShaderNodeVectorMath": ("operation",),
+    "ShaderNodeMix": ("data_type", "clamp_factor"), "ShaderNodeTexWhiteNoise": ("noise_dimensions",),
+    "ShaderNodeVectorRotate": ("rotation_type",), "ShaderNodeBsdfMetallic": ("distribution", "fresnel_type"),
+    "ShaderNodeBsdfAnisotropic": ("distribution",), "ShaderNodeTangent": ("direction_type", "axis"),
+    "ShaderNodeScript": ("mode",), "ShaderNodeTexNoise": ("noise_dimensions", "noise_type", "normalize"),
+    "ShaderNodeBump": ("invert",), "ShaderNodeMixShader": (), "ShaderNodeAddShader": (), "ShaderNodeBsdfDiffuse": (),
+    "ShaderNodeSeparateXYZ": (), "ShaderNodeCombineXYZ": (), "ShaderNodeNewGeometry": (), "ShaderNodeTexCoord": (),
+    "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
+}
+"""Settings of nodes that decide what they compute, by type of node; a test says which a group of ours lacks here."""
 
 OF_SOCKETS = ("socket_type", "default_value", "min_value", "max_value", "subtype", "hide_value", "identifier")
 """What counts of a socket of the interface; its tooltip does not."""
@@ -36,10 +44,11 @@ def fingerprint(tree):
 
 
 def _of_node(node):
-    facts = [node.name, node.bl_idname, [getattr(node, name, None) for name in PROPERTIES]]
-    if getattr(node, "node_tree", None) is not None:
+    kind = node.bl_idname
+    facts = [node.name, kind, *(getattr(node, name) for name in SETTINGS.get(kind, ()))]
+    if kind == "ShaderNodeGroup" and node.node_tree is not None:
         facts.append(node.node_tree.get(ID_KEY, node.node_tree.name))
-    if getattr(node, "script", None) is not None:
+    if kind == "ShaderNodeScript" and node.script is not None:
         facts.append(hashlib.sha256(node.script.as_string().encode()).hexdigest())
     facts += [(socket.identifier, _shown(socket.default_value)) for socket in _valued(node)]
     return facts

@@ -9,7 +9,7 @@ from ... import models
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
-           "input_names", "library_file", "model_of_group", "node_group", "socket_named"]
+           "input_names", "library_file", "mark", "model_of_group", "node_group", "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
 """The groups as tools/build_groups.py built them, a file for each: appending one takes milliseconds, building one
@@ -62,10 +62,15 @@ def node_group(identifier):
     if FINGERPRINT_KEY not in tree:
         if group.stand_in:
             _add_eevee_output(tree, node_group(group.stand_in))
-        tree[ID_KEY] = identifier
-        tree[VERSION_KEY] = group.version
-        tree[FINGERPRINT_KEY] = fingerprint(tree)
+        mark(tree, group)
     return tree
+
+
+def mark(tree, group):
+    """Note in a group, once it is whole, which one it is and what it computes."""
+    tree[ID_KEY] = group.identifier
+    tree[VERSION_KEY] = group.version
+    tree[FINGERPRINT_KEY] = fingerprint(tree)
 
 
 def _merged(trees, group):

@@ -1,12 +1,27 @@
 """Our materials, whatever the model: a group node with its sockets set, wired to the output, and the record kept."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import bpy
 
 from ...errors import FacetFilmError
-from ...models.record import Record, baked_in, from_json
 from ..compat import enable_nodes
-from .groups import (EEVEE_OUTPUT, VERSION_KEY, edited, group_id, input_names, model_of_group, node_group,
-                     output_named, socket_named)
+from .groups import (
+    EEVEE_OUTPUT,
+    VERSION_KEY,
+    edited,
+    group_id,
+    input_names,
+    model_of_group,
+    node_group,
+    output_named,
+    socket_named,
+)
+
+if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits for what is imported here
+    from ...models.record import Record
 
 __all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "model_of", "our_node", "parameters_of",
            "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
@@ -55,12 +70,17 @@ def write(material: bpy.types.Material, record: Record) -> None:
 
 def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -> None:
     """Make one of our group nodes what the record says: its group, its values, and the nodes that feed it."""
-    model = model_of_group(record.group)
-    if not (group_id(node.node_tree) == record.group and edited(node.node_tree)):
+    model, there = model_of_group(record.group), _feeding(node)
+    if not _keeps(node.node_tree, model.group(record.group)):
         _set_group(tree, node, node_group(record.group))
     for name, value in model.written(record.parameters, record.realisation).items():
         socket_named(node, name).default_value = value
-    _write_feeds(tree, node, model, model.feeds(record.parameters))
+    _write_feeds(tree, node, there, model.feeds(record.parameters))
+
+
+def _keeps(tree, group):
+    """Whether a node that has this tree needs no other for a group: it is the current one, or someone edited it."""
+    return group_id(tree) == group.identifier and (tree.get(VERSION_KEY) == group.version or edited(tree))
 
 
 def _show_in_viewport(material, record):
@@ -74,9 +94,8 @@ def _show_in_viewport(material, record):
     material.roughness = float(seen.slope) ** 0.5
 
 
-def _write_feeds(tree, node, model, feeds):
-    """Have just these groups of the model feed the node; what else is plugged in stays."""
-    there = _feeding(node, model)
+def _write_feeds(tree, node, there, feeds):
+    """Have just these groups of ours feed the node, in place of those that did; what else is plugged in stays."""
     for identifier, feed in there.items():
         if identifier not in {wanted.group for wanted in feeds}:
             tree.nodes.remove(feed)
@@ -103,14 +122,13 @@ def _link_feed(tree, node, feed, links):
         tree.links.new(output_named(feed, output), socket_named(node, name))
 
 
-def _feeding(node, model):
-    """{group's id: node} of the model's groups that feed the node."""
-    own = {group.identifier for group in model.groups}
+def _feeding(node):
+    """{group's id: node} of the groups of ours that feed the node and are no material themselves."""
     found = {}
     for link in [link for socket in node.inputs for link in socket.links]:
-        identifier = group_id(getattr(link.from_node, "node_tree", None))
-        if identifier in own:
-            found[identifier] = link.from_node
+        tree = getattr(link.from_node, "node_tree", None)
+        if model_of_group(group_id(tree)) is not None and found_in(tree) is None:
+            found[group_id(tree)] = link.from_node
     return found
 
 
@@ -126,26 +144,28 @@ def record_of(material: bpy.types.Material) -> Record:
     if node is None:
         raise FacetFilmError("{material} is not a material of Facet & Film: make one with create_material() "
                              "or Bake Spectral Preset.", material=material.name)
+    from ...models.record import from_json
     return from_json(material.get(RECORD_KEY, ""), record_of_node(node))
 
 
 def record_of_node(node: bpy.types.Node) -> Record:
     """What one of our group nodes holds: parameters, and how they are rendered."""
+    from ...models.record import Record
     identifier = group_id(node.node_tree)
     model, realisation = found_in(node.node_tree)
     feeds = {name: (_values(feed), {link.from_socket.name for link in node.id_data.links
                                     if link.from_node == feed and link.to_node == node})
-             for name, feed in _feeding(node, model).items()}
+             for name, feed in _feeding(node).items()}
     return Record(model.name, realisation, identifier, node.node_tree.get(VERSION_KEY, 0),
                   model.read(_values(node), feeds))
 
 
 def _values(node):
-    """{socket: value} of a group node; of colours without alpha."""
+    """{socket: value} of a group node."""
     found = {}
     for name in input_names(node.node_tree):
         value = socket_named(node, name).default_value
-        found[name] = tuple(value)[:3] if hasattr(value, "__len__") else value
+        found[name] = tuple(value) if hasattr(value, "__len__") else value
     return found
 
 
@@ -156,6 +176,9 @@ def parameters_of(material):
 
 def baked_of(material):
     """What was baked into a material, ready for JSON; {} for others."""
+    if RECORD_KEY not in material:
+        return {}
+    from ...models.record import baked_in
     return baked_in(material.get(RECORD_KEY, ""))
 
 

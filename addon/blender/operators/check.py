@@ -75,8 +75,8 @@ class FACET_FILM_OT_check(_ShowsText, bpy.types.Operator):
 
     def answer(self):
         """The check as text."""
-        from ...shell import text as cli_text
         from ...bake import check
+        from ...shell import text as cli_text
         given = {"nk": lambda: {"n": self.n[:], "k": self.k[:]}, "f0": lambda: {"f0": self.f0[:], "tint": self.tint[:]},
                  "material": lambda: {"preset": self.material}}[self.kind]()
         return cli_text.checked(check(self.against, **given))
@@ -96,8 +96,8 @@ class FACET_FILM_OT_spread(_ShowsText, bpy.types.Operator):
 
     def answer(self):
         """The spread as text."""
-        from ...shell import text as cli_text
         from ...bake import spread
+        from ...shell import text as cli_text
         return cli_text.spread(spread(self.material))
 
 

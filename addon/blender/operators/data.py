@@ -82,7 +82,7 @@ def _forms_of(model):
 @functools.lru_cache(maxsize=1)
 def _all_forms():
     """Items of every form of any model; Blender needs their texts to live on."""
-    return list(dict((item[0], item) for model in all_models() for item in _forms_of(model)).values())
+    return list({item[0]: item for model in all_models() for item in _forms_of(model)}.values())
 
 
 class FACET_FILM_OT_export(bpy.types.Operator):

@@ -5,7 +5,7 @@ from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ...models.model import REALISATIONS
+from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import model_of
 from ..settings import realisation_property

@@ -9,7 +9,6 @@ from bl_ui.utils import PresetPanel
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ...models.record import from_dict, from_json
 from .. import compat
 from ..datablocks.materials import baked_of, create, model_of, record_of
 from .targets import OnActiveObject, active_material, put_on_selected, said_of, target_material
@@ -28,6 +27,7 @@ def preset_text(material):
 
 def preset_from(text):
     """The Record in the text of a preset file.  Raises FacetFilmError for another text."""
+    from ...models.record import from_dict
     try:
         held = json.loads(text.split("#", 2)[2])
         return from_dict(held if "format" in held else of_0_1_0(held))
@@ -38,6 +38,7 @@ def preset_from(text):
 def of_0_1_0(held):
     """What 0.1.0 wrote, as :func:`addon.models.record.from_dict` takes it."""
     from ...models.making import made
+    from ...models.record import from_json
     parameters = {name: _tuples(value) for name, value in held["parameters"].items()}
     current = made(held["model"], realisation=held["realisation"], **parameters)
     return from_json(json.dumps(held["record"]), current).to_dict()

@@ -46,7 +46,7 @@ def units_of(tree):
     return _units(model, identifier) if model else {}
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _units(model, identifier):
     fed = "" if model.realisation_of(identifier) else identifier
     return {socket.name: socket.unit for row in model.parameters.TABLE if row.group == fed

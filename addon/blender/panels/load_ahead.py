@@ -23,5 +23,8 @@ def forget():
 
 def load():
     """Bake a preset and forget it: the modules and the tables are there from then on."""
+    from ... import api  # noqa: F401
     from ...models.making import made
+    from ..datablocks.groups import all_groups
+    all_groups()
     made(preset="copper")

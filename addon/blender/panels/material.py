@@ -3,7 +3,7 @@
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
-from ...models.model import REALISATIONS
+from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import baked_of, model_of, our_node, realisation_of
 from ..operators.realisation import shown_name, what_is_missing

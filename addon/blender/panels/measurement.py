@@ -4,10 +4,10 @@ import bpy
 from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_n as n_
 
+from ..assets.thumbnails import colour_icon, strip_icon
+from ..datablocks.materials import baked_of, our_node
 from .drawing import draw_facts, draw_sentence
 from .material import MaterialPanel
-from ..datablocks.materials import baked_of, our_node
-from ..assets.thumbnails import colour_icon, strip_icon
 
 __all__ = ["CLASSES", "draw_measurement"]
 

@@ -3,7 +3,7 @@
 import functools
 import re
 
-from ...catalogue.presets import KINDS
+from ...catalogue.kinds import KINDS
 from ..assets.thumbnails import preset_icon
 
 __all__ = ["KIND_ITEMS", "draw_card", "forget", "lines", "name_in", "search", "thumbnail_items"]
@@ -59,7 +59,7 @@ def thumbnail_items(kind, chosen):
     return [_alone(chosen), *(item[:4] + (number,) for number, item in enumerate(listed, 1))]
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _of_kind(kind):
     from ...catalogue.presets import all_presets
     found = [preset for preset in all_presets().values() if preset.kind == kind]
@@ -67,7 +67,7 @@ def _of_kind(kind):
             for number, preset in enumerate(found)]
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _alone(name):
     return (name, name, "", preset_icon(name), 0)
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from . import formulas as ct
 from ...reflectance.directions import direction, mirrored
+from . import formulas as ct
 
 __all__ = ["facet_normals", "directional_albedo", "cook_torrance_albedo"]
 

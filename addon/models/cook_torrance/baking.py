@@ -7,7 +7,8 @@ from ...bake.colour import rgb_to_xyz
 from ...bake.reflected import Viewing
 from ...reflectance import fresnel
 from ...spectra import observers, optical_constants
-from ..model import REALISATIONS, Baked, Look
+from ..model import Baked, Look
+from ..realisations import REALISATIONS
 from .parameters import CookTorrance
 
 __all__ = ["bake_for", "diffuse_colour", "facts", "look"]
@@ -27,7 +28,7 @@ def bake_for(resolved, viewing, realisation, renderer):
 
     resolved     an addon.catalogue.resolving.Resolved with constants
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut
-    realisation  a name of addon.models.model.REALISATIONS
+    realisation  a name of addon.models.realisations.REALISATIONS
     renderer     a Renderer: whose conductor Fresnel n and k are fitted for
 
     The formulas take the exact equation.  So does F82, which native closures

@@ -15,8 +15,18 @@ from ...reflectance.fresnel import f82_factor
 from ...reflectance.sampling import chosen, narrow_slope, wide_slope
 from ..parameters import add_inputs
 from .parameters import TABLE, slope_operands
-from .sampler import (FLANKS, HEADROOM, facet, facet_weight, kept, native_fresnel, native_lobe, native_over_d,
-                      native_slope, scales)
+from .sampler import (
+    FLANKS,
+    HEADROOM,
+    facet,
+    facet_weight,
+    kept,
+    native_fresnel,
+    native_lobe,
+    native_over_d,
+    native_slope,
+    scales,
+)
 
 __all__ = ["build"]
 

@@ -19,8 +19,25 @@ c' = −c, which is one node.
 
 from types import SimpleNamespace
 
-from ...operands import (absolute, clip, cos, dot, exp, inverse_sqrt, less, log, maximum, minimum, normalize,
-                         rotate, sin, sqrt, term, where, widen)
+from ...operands import (
+    absolute,
+    clip,
+    cos,
+    dot,
+    exp,
+    inverse_sqrt,
+    less,
+    log,
+    maximum,
+    minimum,
+    normalize,
+    rotate,
+    sin,
+    sqrt,
+    term,
+    where,
+    widen,
+)
 from ...reflectance.directions import PI, tangent_of
 from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, f82_unclamped
 from ...reflectance.masking import smith_lambda_of_slope
@@ -163,7 +180,7 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
     density, D over the drawn density's part that depends on the distribution and
     the side.
 
-    >>> from .directions import direction
+    >>> from addon.reflectance.directions import direction
     >>> up = direction(0.0, 0.0)
     >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
     >>> round(float(x.n_h), 4), round(float(x.v_h), 4), float(x.density)     # tan α = m
@@ -235,7 +252,7 @@ def native_over_d(x, m, lean):
     and b = stretch − 1 the relative variance of stretched slopes, so a narrower
     and higher curve is blurred.
 
-    >>> from .directions import direction
+    >>> from addon.reflectance.directions import direction
     >>> up = direction(0.0, 0.0)
     >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
     >>> round(float(native_over_d(x, 0.5, 0.0)), 4)
@@ -268,7 +285,7 @@ def sharpened_v_cavity(x):
     2 (N·H)(N·V)/(V·H) and 2 (N·H)(N·L)/(V·H) across and along the ring about N.
     The constants are the best of those tried, on spheres under suns.
 
-    >>> from .directions import direction
+    >>> from addon.reflectance.directions import direction
     >>> up = direction(0.0, 0.0)
     >>> mirror, lobe = (facet(up, up, 0.5, a, 2 * a, 0.0, 0.0, 0.27, 0.0, 0.0) for a in (0.0, 0.1))
     >>> round(float(sharpened_v_cavity(mirror)), 4), round(float(sharpened_v_cavity(lobe)), 4)
@@ -299,7 +316,7 @@ def facet_weight(x, scale, native, n, k, f0, b, weight=1.0, probability=1.0):
 
     With native 0 and a facet drawn with a = 0 it is f (N·L)/p(L).
 
-    >>> from .directions import direction
+    >>> from addon.reflectance.directions import direction
     >>> up = direction(0.0, 0.0)
     >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
     >>> facet_weight(x, 1.0, 0.0, 1.5, 0.0, 0.04, 0.0).round(4)

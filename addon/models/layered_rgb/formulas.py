@@ -27,8 +27,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from ...operands import (cos, cross, dot, less, log, maximum, minimum, normalize, power, sin, sqrt, term, where,
-                         widen)
+from ...operands import cos, cross, dot, less, log, maximum, minimum, normalize, power, sin, sqrt, term, where, widen
 from ...reflectance.directions import PI, tangent_of
 from .parameters import WAVELENGTHS
 

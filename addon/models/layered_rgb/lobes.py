@@ -25,10 +25,26 @@ X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(
 
 from types import SimpleNamespace
 
-from ...operands import (arccos, cos, dot, exp, maximum, minimum, normalize, power, sin, sqrt, term, where, widen,
-                         x_of, y_of, z_of)
+from ...operands import (
+    arccos,
+    cos,
+    dot,
+    exp,
+    maximum,
+    minimum,
+    normalize,
+    power,
+    sin,
+    sqrt,
+    term,
+    where,
+    widen,
+    x_of,
+    y_of,
+    z_of,
+)
 from ...reflectance.directions import PI, half_vector
-from .formulas import cos_refracted, f_eq8, fifth_power, fresnel_eq7, squared, transmission_eq9
+from .formulas import cos_refracted, f_eq8, fifth_power, squared, transmission_eq9
 
 __all__ = ["exit_directions", "exit_plane", "in_plane", "reflected_albedo", "transmitted_albedo",
            "interference_albedo", "peaks", "lobe_colours", "native_lobes"]

@@ -27,11 +27,40 @@ X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(
 
 from types import SimpleNamespace
 
-from ...operands import (absolute, clip, cos, cross, dot, exp, less, maximum, minimum, normalize, power, sin, sqrt,
-                         term, vector, where, widen, x_of, y_of)
+from ...operands import (
+    absolute,
+    clip,
+    cos,
+    cross,
+    dot,
+    exp,
+    less,
+    maximum,
+    minimum,
+    normalize,
+    power,
+    sin,
+    sqrt,
+    term,
+    vector,
+    where,
+    widen,
+    x_of,
+    y_of,
+)
 from ...reflectance.directions import PI, frame_about, half_vector, in_frame
-from .formulas import (cos_refracted, f_eq8, fresnel_eq7, inner_products, layer_is_reached, lobe_scale, phase_eq3,
-                       rho_of_parts, squared, transmission_eq9)
+from .formulas import (
+    cos_refracted,
+    f_eq8,
+    fresnel_eq7,
+    inner_products,
+    layer_is_reached,
+    lobe_scale,
+    phase_eq3,
+    rho_of_parts,
+    squared,
+    transmission_eq9,
+)
 
 __all__ = ["narrowed_exponent", "proposal", "tapered_width", "narrowed", "draw", "weight", "kernel",
            "roughness_and_anisotropy"]

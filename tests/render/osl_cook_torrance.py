@@ -1,0 +1,185 @@
+"""The functions of cook_torrance.osl beside the formulas that they repeat, each with the arguments to compare them at.
+
+A row is the function's signature, the formula, and arguments for both.  Tilts, which OSL's sine knows within 2e-8,
+start at 0.01, and slopes of drawn facets at 0.2: single precision knows what is divided by their squares.
+"""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from addon.operands import arccos, dot
+from addon.models.cook_torrance import gaussian_lobes, sampler
+from addon.reflectance import fresnel, masking, sampling, slopes
+from addon.reflectance.directions import PI, facing, tangent_of
+from tests.render.osl_grids import about, column, grid, single, spread, tangent_in_the_scripts
+
+SCRIPT = "cook_torrance.osl"
+
+NOT_COMPARED = {
+    "random(point, int)": "random numbers",
+    "exact(vector, vector, float[4], float[4], vector, vector, float, float, float, float, point)": "a closure",
+    "beckmann_lobe(vector, float, vector, vector)": "a closure",
+    "gaussian_lobes(vector, float, vector, vector)": "a closure",
+    "closures(vector, float[4], float[4], vector, vector, float, float, float)": "a closure",
+}
+
+COSINES = (0.02, 0.1, 0.25, 0.5, 0.8, 0.95, 0.999, 1.0)
+SLOPES = (0.05, 0.1, 0.2, 0.34, 0.36, 0.5, 0.8, 1.0)
+SHARES = (0.0, 0.3, 0.7, 1.0)
+UNIT = (0.0, 1.0)
+
+FIELDS = ("H", "across", "a_across", "a_along", "stretch", "n_h", "n_v", "n_l", "v_h", "tangent", "v_across",
+          "steepness", "peak", "density")
+
+
+# --- Facets ---
+
+def fields_of(x):
+    """A facet as the script keeps it: D's peak in place of its flatness."""
+    x.H, x.peak = x.h, np.broadcast_to(1.0 / x.flat ** 2, np.shape(x.n_h))
+    return SimpleNamespace(**{name: np.broadcast_to(getattr(x, name), x.h.shape if name in ("H", "across")
+                                                    else x.n_h.shape) for name in FIELDS})
+
+
+def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
+    """The formula's facet, in the script's order, its azimuth counted from the script's tangent."""
+    ours, theirs = tangent_of(n), tangent_in_the_scripts(n)
+    turn = np.arctan2(dot(np.cross(ours, theirs), n), dot(ours, theirs)) / (2.0 * PI)
+    x = sampler.facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth + turn, u_side)
+    return list(vars(fields_of(x)).values())
+
+
+def drawings(count=160):
+    """What facets are drawn with, by either distribution."""
+    cosine, azimuth, polar, turn, m, width, *numbers = spread(
+        count, (0.05, 1.0), (0.0, 6.0), (-1.0, 1.0), (0.0, 6.0), (0.2, 0.9), (0.0, 0.8),
+        (0.02, 0.98), UNIT, (0.02, 0.98))
+    n = about(np.broadcast_to([0.0, 0.0, 1.0], (count, 3)), polar, turn)
+    every_third_exact = width * (np.arange(count) % 3 > 0)
+    gaussian = (np.arange(count) // 3 % 2).astype(float)
+    a, wide = single(sampling.narrow_slope(m, every_third_exact), sampling.wide_slope(m, every_third_exact))
+    return [n, about(n, cosine, azimuth), m, a, wide, single(0.5 * (a > 0.0)), gaussian, *numbers]
+
+
+def seen_facets():
+    """Facets that mirror V above the horizon as the script keeps them, and the slopes m that they were drawn with."""
+    drawn = drawings()
+    x = sampler.facet(*drawn)
+    above = (x.n_l > 0.01) & (x.density > 0.0)
+    kept = {name: values[above] for name, values in vars(fields_of(x)).items()}
+    return single(SimpleNamespace(**kept)), drawn[2][above]
+
+
+def read(x):
+    """A facet of the script as the formulas know it."""
+    return SimpleNamespace(**vars(x), level=x.v_h / x.n_h, flat=1.0 / np.sqrt(x.peak))
+
+
+def tilted(drawn, weighed, m, is_gaussian):
+    """Tilt and density of drawn facets, of either distribution, in the script's order."""
+    of_beckmann = sampler._beckmann(drawn * drawn, drawn, weighed * weighed)
+    of_gaussian = sampler._gaussian(drawn, weighed * weighed, m)
+    chosen = [np.where(is_gaussian > 0.5, g, b) for g, b in zip(of_gaussian, of_beckmann)]
+    tangent_drawn, cos_drawn, tangent, n_h, flat, density, _to_angle = chosen
+    return tangent_drawn, cos_drawn, tangent, n_h, 1.0 / flat ** 2, density
+
+
+def facet_weight(x, scale, native, n, k, f0, tint):
+    """The formula's, for the F82 model's tint in place of its factor b."""
+    return sampler.facet_weight(read(x), scale, native, n, k, f0, fresnel.f82_factor(f0, tint))
+
+
+# --- Colours and lists ---
+
+def colours(count, *ranges):
+    """Colours spread over the ranges of a channel, (count, 3) a range."""
+    numbers = spread(count, *[of_channel for of_channel in ranges for _ in "rgb"])
+    return [np.stack(numbers[j:j + 3], axis=-1) for j in range(0, len(numbers), 3)]
+
+
+def metals(count):
+    """n and k of three channels, (count, 3) each, dielectrics among them."""
+    n, k = colours(count, (0.1, 3.0), (-0.5, 5.0))
+    return [n, np.maximum(k, 0.0)]
+
+
+def drawn_slope(of_slopes, weights, u):
+    """The slope that u draws, of four."""
+    return sampling.chosen(u, list(weights.T), list(of_slopes.T))[0]
+
+
+def lists_of_four(count=60):
+    """Slopes and weights, some of the weights 0, and a number even in [0, 1)."""
+    numbers = spread(count, *[(0.05, 1.0)] * 4, *[(-0.3, 1.0)] * 4, (0.0, 0.999))
+    weights = np.maximum(np.stack(numbers[4:8], axis=-1), 0.0)
+    some = weights.sum(axis=-1) > 0.0
+    return [np.stack(numbers[:4], axis=-1)[some], weights[some], numbers[8][some]]
+
+
+def normals(count=60):
+    """Normals towards and away from V, and V."""
+    cosine, azimuth, height, turn = spread(count, (-0.6, 1.0), (0.0, 6.0), (-1.0, 1.0), (0.0, 6.0))
+    v = about(np.broadcast_to([0.0, 0.0, 1.0], (count, 3)), height, turn)
+    return [about(v, cosine, azimuth), v]
+
+
+def native_lobes_cases():
+    x, m = seen_facets()
+    return [x, m, single(sampler.native_lobe(x.n_v, m)[1])]
+
+
+def weights_cases():
+    x, m = seen_facets()
+    n, k = metals(len(m))
+    f0, tint = single(*sampler.native_fresnel(n, k))
+    scale, carried = spread(len(m), (1.0, 4.0), (0.0, 0.9))
+    return [x, scale, carried, n, k, f0, tint]
+
+
+def metals_and_f0():
+    n, k = metals(60)
+    return [single(fresnel.conductor(1.0, n, k)), n, k]
+
+
+FORMULAS = {
+    "angle_of(float)": (arccos, grid((-1.0, -0.7, -0.1, 0.0, 0.001, 0.3, *COSINES))),
+    "beckmann(float, float)": (slopes.beckmann, grid(COSINES, SLOPES)),
+    "gaussian(float, float, float)": (slopes.gaussian, grid(COSINES, SLOPES, (0.5, 3.0, 25.0))),
+    "gaussian_c(float)": (slopes.gaussian_c, grid(SLOPES)),
+    "v_cavity(float, float, float, float)": (
+        masking.v_cavity, grid((0.1, 0.6, 0.9, 1.0), (0.05, 0.3, 0.9), (-0.2, 0.05, 0.3, 0.9), (0.2, 0.6, 1.0))),
+    "fresnel(float, float, float)": (
+        fresnel.conductor, grid(COSINES, (0.15, 1.0001, 1.5, 3.0), (0.0, 0.7, 2.0, 4.0))),
+    "fresnel(float, vector, vector)": (
+        lambda c, n, k: fresnel.conductor(column(c), n, k), [*spread(60, UNIT), *metals(60)]),
+    "scale_of(float, int, float, float)": (
+        lambda *arguments: sampler.scales(*arguments)[0], grid(SLOPES, UNIT, (0.0, 0.5, 1.0), (1.0, 3.0))),
+    "smith_lambda(float, float)": (masking.smith_lambda, grid(COSINES, SLOPES)),
+    "smith(float, float, float)": (masking.smith_beckmann, grid(COSINES, COSINES, (0.1, 0.4, 0.9))),
+    "native_slope(float)": (sampler.native_slope, grid(SLOPES)),
+    "native_lobe(float, float, output float, output float)": (sampler.native_lobe, grid(COSINES, SLOPES)),
+    "fifth_power(float)": (lambda x: np.power(x, 5.0), grid((0.0, 0.3, 0.9, 1.0, 2.0))),
+    "schlick(float, color)": (
+        lambda c, f0: fresnel.schlick(column(c), f0), [*spread(60, UNIT), *colours(60, UNIT)]),
+    "f82(float, color, color)": (
+        lambda c, f0, tint: fresnel.f82(column(c), f0, tint), [*spread(60, UNIT), *colours(60, UNIT, UNIT)]),
+    "f82_tint(color, vector, vector)": (lambda f0, n, k: sampler.native_fresnel(n, k)[1], metals_and_f0()),
+    "drawn_slope(float[4], float[4], float)": (drawn_slope, lists_of_four()),
+    "narrow_slope(float, float)": (sampling.narrow_slope, grid(SLOPES, SHARES)),
+    "wide_slope(float, float)": (sampling.wide_slope, grid(SLOPES, SHARES)),
+    "towards_flanks(float, float, output float, output float)": (
+        sampling.towards_flanks, grid((0.0, 0.1, 0.5, 0.9, 0.99), (0.0, 0.5, 0.8))),
+    "tilted(float, float, float, int, output float, output float, output float, output float, output float, "
+    "output float)": (tilted, grid((0.001, 0.1, 0.5, 1.2), (0.01, 0.15, 0.6, 1.4), (0.1, 0.5, 0.9), UNIT)),
+    "facet(vector, vector, float, float, float, float, int, float, float, float)": (facet, drawings()),
+    "sharpened_v_cavity(Facet)": (lambda x: sampler.sharpened_v_cavity(read(x)), seen_facets()[:1]),
+    "native_over_D(Facet, float, float)": (
+        lambda x, m, lean: sampler.native_over_d(read(x), m, lean), native_lobes_cases()),
+    "facet_weight(Facet, float, float, vector, vector, color, color)": (facet_weight, weights_cases()),
+    "gaussian_shares(float, output float, output float, output float)": (
+        lambda m: [share for share, _slope in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
+    "gaussian_slopes(float, output float, output float, output float)": (
+        lambda m: [slope for _share, slope in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
+    "facing(vector, vector)": (facing, normals()),
+}
