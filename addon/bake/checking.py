@@ -114,14 +114,16 @@ def colour_given(name, value, space="Rec.709"):
         digits = value.strip().removeprefix("#").removeprefix("0x")
         digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
         if not re.fullmatch("[0-9a-fA-F]{6}", digits):
-            raise FacetFilmError("{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.", name=name, value=value)
+            raise FacetFilmError("{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.",
+                                 name=name, value=value)
         return _linear_of_srgb([int(digits[at:at + 2], 16) for at in (0, 2, 4)], space)
     numbers = numbers_of(name, value, 3, -1, 255)
     if max(numbers) <= LARGEST_LINEAR:
         return numbers
     if min(numbers) < 0 or any(number != round(number) for number in numbers):
-        raise FacetFilmError("{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.", name=name,
-                             value=value, most=f"{LARGEST_LINEAR:g}")
+        raise FacetFilmError("{name} {value!r} is no colour: linear numbers go to {most}, "
+                             "and whole ones to 255 are sRGB.",
+                             name=name, value=value, most=f"{LARGEST_LINEAR:g}")
     return _linear_of_srgb(numbers, space)
 
 

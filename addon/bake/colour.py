@@ -19,9 +19,9 @@ SPACES = {
 """Chromaticities x, y of the primaries and of the white of the scene-linear spaces."""
 
 ALIASES = {
-    "rec709": "Rec.709", "bt709": "Rec.709", "itur bt709": "Rec.709", "709": "Rec.709", "srgb": "Rec.709", "linear": "Rec.709",
-    "linsrgb": "Rec.709", "rec2020": "Rec.2020", "bt2020": "Rec.2020", "2020": "Rec.2020", "acescg": "ACEScg", "ap1": "ACEScg",
-    "aces": "ACEScg",
+    "rec709": "Rec.709", "bt709": "Rec.709", "709": "Rec.709", "srgb": "Rec.709", "linsrgb": "Rec.709",
+    "linear": "Rec.709", "rec2020": "Rec.2020", "bt2020": "Rec.2020", "2020": "Rec.2020", "acescg": "ACEScg",
+    "ap1": "ACEScg", "aces": "ACEScg",
 }
 """What people call the spaces: letters and digits only, without "linear" before or after."""
 NEAREST = {"p3": "Rec.2020", "displayp3": "Rec.2020", "dcip3": "Rec.2020", "p3d65": "Rec.2020", "adobergb": "Rec.2020",
@@ -44,8 +44,8 @@ def canonical_space(space):
     plain = re.sub("[^a-z0-9]", "", str(space).lower())
     plain = plain if plain == "linear" else re.sub("linear|scene|itur?|encoded", "", plain)
     if plain in NEAREST:
-        raise FacetFilmError("{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.", name="space", value=space,
-                             near=(NEAREST[plain],), valid=", ".join(map(repr, SPACES)))
+        raise FacetFilmError("{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.", name="space",
+                             value=space, near=(NEAREST[plain],), valid=", ".join(map(repr, SPACES)))
     return choice("space", ALIASES.get(plain, space), SPACES)
 
 

@@ -15,7 +15,8 @@ from .colour import canonical_space, spectral_weights
 from .gamut import METHODS, GamutReport, map_colours
 
 __all__ = [
-    "Viewing", "Reflected", "reflect", "mirror_spectra", "index_of_medium", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82", "COMPARED",
+    "Viewing", "Reflected", "reflect", "mirror_spectra", "index_of_medium", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82",
+    "COMPARED",
 ]
 
 COS_THETA = np.concatenate([

@@ -44,10 +44,10 @@ TITLES = {
 
 
 ALIASES = {
-    "TL84": "F11", "TL83": "F12", "TL85": "F10", "U30": "F12", "UL30": "F12", "CWF": "F2", "COOL WHITE": "F2", "WW": "F4",
-    "WWF": "F4", "WARM WHITE": "F4", "WHITE FLUORESCENT": "F3", "DLF": "F1", "TUNGSTEN": "A", "INCANDESCENT": "A", "INCA": "A",
-    "DAYLIGHT": "D65", "NOON": "D65", "HORIZON DAYLIGHT": "D50", "EQUAL ENERGY": "E", "EE": "E", "2856K": "A", "5000K": "D50",
-    "5500K": "D55", "6000K": "D60", "6500K": "D65", "7500K": "D75",
+    "TL84": "F11", "TL83": "F12", "TL85": "F10", "U30": "F12", "UL30": "F12", "CWF": "F2", "COOL WHITE": "F2",
+    "WW": "F4", "WWF": "F4", "WARM WHITE": "F4", "WHITE FLUORESCENT": "F3", "DLF": "F1", "TUNGSTEN": "A",
+    "INCANDESCENT": "A", "INCA": "A", "DAYLIGHT": "D65", "EQUAL ENERGY": "E", "EE": "E", "2856K": "A",
+    "5000K": "D50", "5500K": "D55", "6000K": "D60", "6500K": "D65", "7500K": "D75",
 }
 """What lamps of light booths and daylight are called, in capitals."""
 

@@ -147,7 +147,8 @@ def dataset_of_address(address):
     if {"book", "page"} <= set(query):
         parts = [query.get("shelf", ["main"])[0], query["book"][0], query["page"][0]]
     else:
-        parts = [part for part in re.split(r"[/\\]", re.sub(r"\.ya?ml$", "", plain)) if part not in {"", ".", "nk", "data-nk"}]
+        parts = re.split(r"[/\\]", re.sub(r"\.ya?ml$", "", plain))
+        parts = [part for part in parts if part not in {"", ".", "nk", "data-nk"}]
         while parts and parts[0] not in SHELVES:
             parts = parts[1:]
     if len(parts) < 3:

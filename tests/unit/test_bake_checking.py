@@ -26,7 +26,8 @@ def test_a_material_against_itself_is_nothing_off():
 
 @pytest.mark.parametrize("given", [{}, {"n": (1, 1, 1)}, {"n": (1, 1, 1), "k": (1, 1)},
                                    {"n": (1, 0, 1), "k": (1, 1, 1)}, {"n": (1, 1, 1), "k": (1, -1, 1)},
-                                   {"f0": (5, 1, 1.5)}, {"f0": "#ffd9"}, {"f0": "gold"}, {"f0": (256, 0, 0)}, {"f0": (float("nan"), 1, 1)},
+                                   {"f0": (5, 1, 1.5)}, {"f0": "#ffd9"},
+                                   {"f0": "gold"}, {"f0": (256, 0, 0)}, {"f0": (float("nan"), 1, 1)},
                                    {"f0": (1, 1, 1), "preset": "gold"}])
 def test_wrong_parameters_are_clear_errors(given):
     with pytest.raises(FacetFilmError):

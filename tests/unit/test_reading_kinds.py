@@ -1,4 +1,4 @@
-"""Each kind of measurement that people have gives its F0, or its sentence; and so does each after it was tampered with."""
+"""Each kind of measurement that people have gives its F0, or its sentence; so does each that was tampered with."""
 
 import json
 import time
@@ -41,7 +41,13 @@ def test_each_kind_gives_its_f0_or_its_sentence(name, tmp_path):
 
 # --- pairs ---
 
-PAIRS = [("Au.eta.spd", "Au.k.spd"), ("n.txt", "k.txt"), ("01_Au_n.csv", "02_Au_k.csv"), ("Au_n.dat", "Au_k.dat"), ("Au.ior.txt", "Au.kappa.txt")]
+PAIRS = [
+    ("Au.eta.spd", "Au.k.spd"),
+    ("n.txt", "k.txt"),
+    ("01_Au_n.csv", "02_Au_k.csv"),
+    ("Au_n.dat", "Au_k.dat"),
+    ("Au.ior.txt", "Au.kappa.txt"),
+]
 
 
 @pytest.mark.parametrize("names", PAIRS)
@@ -71,12 +77,24 @@ def test_a_coefficient_of_absorption_beside_n(tmp_path):
 
 # --- what can mean two things ---
 
-@pytest.mark.parametrize("text, choices, chosen, f0", [
-    ("400, 4.2\n700, 4.2", ("n", "R", "R in %"), "n", 0.3787), ("400, 4.2\n700, 4.2", ("n", "R", "R in %"), "R in %", 0.042),
-    (rows(np.linspace(0.6, 6.6, 60), np.full(60, 0.5)), ("µm", "eV"), "eV", 0.5),
-    ("nm,R (%)\n400,0.5\n700,0.5", ("in %", "a share"), "in %", 0.005), ("nm,gold,half\n400,0.5,0.25\n700,0.5,0.25", ("gold", "half"), "half", 0.25),
-    ('{"a": {"nm": [400, 700], "R": [0.5, 0.5]}, "b": {"nm": [400, 700], "R": [0.25, 0.25]}}', ("a", "b"), "b", 0.25),
-    ("MATE A\n0.4 1.5 0\n0.7 1.5 0\nMATE B\n0.4 3 0\n0.7 3 0", ("A", "B"), "B", 0.25)])
+
+@pytest.mark.parametrize(
+    "text, choices, chosen, f0",
+    [
+        ("400, 4.2\n700, 4.2", ("n", "R", "R in %"), "n", 0.3787),
+        ("400, 4.2\n700, 4.2", ("n", "R", "R in %"), "R in %", 0.042),
+        (rows(np.linspace(0.6, 6.6, 60), np.full(60, 0.5)), ("µm", "eV"), "eV", 0.5),
+        ("nm,R (%)\n400,0.5\n700,0.5", ("in %", "a share"), "in %", 0.005),
+        ("nm,gold,half\n400,0.5,0.25\n700,0.5,0.25", ("gold", "half"), "half", 0.25),
+        (
+            '{"a": {"nm": [400, 700], "R": [0.5, 0.5]}, "b": {"nm": [400, 700], "R": [0.25, 0.25]}}',
+            ("a", "b"),
+            "b",
+            0.25,
+        ),
+        ("MATE A\n0.4 1.5 0\n0.7 1.5 0\nMATE B\n0.4 3 0\n0.7 3 0", ("A", "B"), "B", 0.25),
+    ],
+)
 def test_two_readings_are_named_and_chosen(text, choices, chosen, f0):
     with pytest.raises(Ambiguous) as asked:
         read_text(text)
@@ -99,18 +117,29 @@ def test_energies_are_told_from_micrometres_by_all_of_the_file():
 
 # --- what was assumed is said ---
 
-@pytest.mark.parametrize("text, says", [
-    (rows(EV[::-1], N[::-1], K[::-1], sep=" "), "energy taken in eV"), ("nm,n,k\n" + rows(W, N, -K), "n − ik"),
-    ("nm,n\n400,1.5\n700,1.4", "no k is given: taken as 0"), ("nm,R\n400,0.99\n500,1.001\n700,0.99", "R above 1 at 1 point"),
-    ("nm,e1,e2\n" + rows(W, E1, E2), "n and k from the permittivity"), ("nm,n\n640,1.5\n900,1.4", "only 640 to 700 nm"),
-    ("nm,n,k\n400,1.5,-0.00002\n500,1.5,0.00002\n700,1.5,0\n", "k below 0 at 1 point"), ("400,0.25\n700,0.36", "taken as the reflectance R"),
-    ("nm,n,k,R\n" + rows(W, N, K, R), "left aside")])
+
+@pytest.mark.parametrize(
+    "text, says",
+    [
+        (rows(EV[::-1], N[::-1], K[::-1], sep=" "), "energy taken in eV"),
+        ("nm,n,k\n" + rows(W, N, -K), "n − ik"),
+        ("nm,n\n400,1.5\n700,1.4", "no k is given: taken as 0"),
+        ("nm,R\n400,0.99\n500,1.001\n700,0.99", "R above 1 at 1 point"),
+        ("nm,e1,e2\n" + rows(W, E1, E2), "n and k from the permittivity"),
+        ("nm,n\n640,1.5\n900,1.4", "only 640 to 700 nm"),
+        ("nm,n,k\n400,1.5,-0.00002\n500,1.5,0.00002\n700,1.5,0\n", "k below 0 at 1 point"),
+        ("400,0.25\n700,0.36", "taken as the reflectance R"),
+        ("nm,n,k,R\n" + rows(W, N, K, R), "left aside"),
+    ],
+)
 def test_what_was_assumed_is_said_and_kept_by_the_bake(text, says):
     constants = read_text(text)
     assert any(says in line for line in constants.assumed), constants.assumed
     assert all(line.isprintable() for line in constants.assumed)
     assert bake(constants).source.assumed == constants.assumed
-    assert says in json.loads(json_text(bake(constants).to_dict()))["source"]["assumed"][-1] or len(constants.assumed) > 1
+    assert (
+        says in json.loads(json_text(bake(constants).to_dict()))["source"]["assumed"][-1] or len(constants.assumed) > 1
+    )
 
 
 def test_the_preview_of_a_file(tmp_path):
@@ -124,22 +153,50 @@ def test_the_preview_of_a_file(tmp_path):
 
 # --- formats ---
 
+
 def test_every_formula_of_a_glass_catalogue_is_the_one_of_its_number():
     """Each against coefficients by which another formula gives the same index."""
     w = 0.5
-    flat = {1: [2.25], 3: [1.5], 5: [1.5], 7: [2.25], 8: [2.25], 10: [2.25], 12: [2.25], 13: [2.25], 4: [1.25], 9: [2.25]}
+    flat = {
+        1: [2.25],
+        3: [1.5],
+        5: [1.5],
+        7: [2.25],
+        8: [2.25],
+        10: [2.25],
+        12: [2.25],
+        13: [2.25],
+        4: [1.25],
+        9: [2.25],
+    }
     for number, coefficients in flat.items():
         agf = f"NM X {number} 0 1.5 60 0\nCD {' '.join(map(str, coefficients))}\nLD 0.3 2\n"
         np.testing.assert_allclose(read_text(agf, "x.agf").at(1000.0 * w)[0], 1.5, rtol=1e-12)
     for number in (2, 6, 11):
         agf = f"NM X {number} 0 1.5 60 0\nCD 1 0.01 0.5 0.02\nLD 0.3 2\n"
-        np.testing.assert_allclose(read_text(agf, "x.agf").at(500.0)[0], np.sqrt(1 + .25 / .24 + 0.5 * .25 / .23), rtol=1e-12)
-    worked = {1: 2 + .25 + 4 + 16 + 64 + 256, 3: (1 + 2 / .222 + 3 / .222**2 + 4 * .25 + 5 * .0625 + 6 * .015625) ** 2,
-              5: (1 + 2 / .5 + 3 / .5**3.5) ** 2, 7: 3 + 1 / (.25 - .01) - .5 * .25, 8: 3 + .25 / (.25 - .01) - .5 * .25,
-              4: 2 + .25 / (.25 - .01) + .5 / (.25 - .04), 9: 2 + .25 / (.25 - .01) + .5 * .25 / (.25 - .04),
-              10: 2 + .25 + 4 + 16 + 64 + 256 + 1024 + 4096, 12: 2 + .25 + 4 + 16 + 64 + 256 + .0625 + .015625,
-              13: 2 + .25 + .0625 + 4 + 16 + 64 + 256 + 1024 + 4096}
-    given = {3: [1, 2, 3, 4, 5, 6], 5: [1, 2, 3], 7: [3, 1, .01, .5], 8: [3, 1, .01, .5], 4: [1, 1, .1, .5, .2], 9: [2, 1, .01, .5, .04]}
+        np.testing.assert_allclose(
+            read_text(agf, "x.agf").at(500.0)[0], np.sqrt(1 + 0.25 / 0.24 + 0.5 * 0.25 / 0.23), rtol=1e-12
+        )
+    worked = {
+        1: 2 + 0.25 + 4 + 16 + 64 + 256,
+        3: (1 + 2 / 0.222 + 3 / 0.222**2 + 4 * 0.25 + 5 * 0.0625 + 6 * 0.015625) ** 2,
+        5: (1 + 2 / 0.5 + 3 / 0.5**3.5) ** 2,
+        7: 3 + 1 / (0.25 - 0.01) - 0.5 * 0.25,
+        8: 3 + 0.25 / (0.25 - 0.01) - 0.5 * 0.25,
+        4: 2 + 0.25 / (0.25 - 0.01) + 0.5 / (0.25 - 0.04),
+        9: 2 + 0.25 / (0.25 - 0.01) + 0.5 * 0.25 / (0.25 - 0.04),
+        10: 2 + 0.25 + 4 + 16 + 64 + 256 + 1024 + 4096,
+        12: 2 + 0.25 + 4 + 16 + 64 + 256 + 0.0625 + 0.015625,
+        13: 2 + 0.25 + 0.0625 + 4 + 16 + 64 + 256 + 1024 + 4096,
+    }
+    given = {
+        3: [1, 2, 3, 4, 5, 6],
+        5: [1, 2, 3],
+        7: [3, 1, 0.01, 0.5],
+        8: [3, 1, 0.01, 0.5],
+        4: [1, 1, 0.1, 0.5, 0.2],
+        9: [2, 1, 0.01, 0.5, 0.04],
+    }
     for number, n2 in worked.items():
         coefficients = given.get(number, [2] + [1] * (FORMULAS[number][1] - 1))
         assert FORMULAS[number][2](0.5, coefficients) == pytest.approx(n2, rel=1e-12), number
@@ -147,8 +204,14 @@ def test_every_formula_of_a_glass_catalogue_is_the_one_of_its_number():
 
 def test_a_catalogue_is_a_list_to_choose_from(tmp_path):
     path = tmp_path / "MAKER.AGF"
-    glass = "NM {} 2 517642 1.5168 64.17 0 1\nCD 1.03961212 6.00069867E-03 2.31792344E-01 2.00179144E-02 1.01046945 1.03560653E+02\nLD 0.31 2.5\n"
-    path.write_text("CC\n" + glass.format("N-BK7") + glass.format("B270").replace("1.0396", "1.1") + "IT 0.4 0.9 10\nIT 0.5 0.99 10\nIT 0.7 0.99 10\n")
+    coefficients = "1.03961212 6.00069867E-03 2.31792344E-01 2.00179144E-02 1.01046945 1.03560653E+02"
+    glass = f"NM {{}} 2 517642 1.5168 64.17 0 1\nCD {coefficients}\nLD 0.31 2.5\n"
+    path.write_text(
+        "CC\n"
+        + glass.format("N-BK7")
+        + glass.format("B270").replace("1.0396", "1.1")
+        + "IT 0.4 0.9 10\nIT 0.5 0.99 10\nIT 0.7 0.99 10\n"
+    )
     with pytest.raises(Ambiguous) as asked:
         read_file(path)
     assert asked.value.choices == ("N-BK7", "B270")
@@ -159,8 +222,14 @@ def test_a_catalogue_is_a_list_to_choose_from(tmp_path):
 
 
 def test_the_address_the_path_and_the_id_find_a_dataset():
-    for address in ("https://refractiveindex.info/?shelf=main&book=Au&page=Johnson", "main/Au/nk/Johnson.yml", "main/Au/Johnson",
-                    "database/data/main/Au/nk/Johnson.yml", "http://refractiveindex.info/?shelf=main&book=Au&page=Johnson#x", "data-nk/main/Au/Johnson.yml"):
+    for address in (
+        "https://refractiveindex.info/?shelf=main&book=Au&page=Johnson",
+        "main/Au/nk/Johnson.yml",
+        "main/Au/Johnson",
+        "database/data/main/Au/nk/Johnson.yml",
+        "http://refractiveindex.info/?shelf=main&book=Au&page=Johnson#x",
+        "data-nk/main/Au/Johnson.yml",
+    ):
         assert optical_constants.load(address).dataset == "main/Au/Johnson", address
     assert read_text("https://refractiveindex.info/?shelf=main&book=Au&page=Johnson\n").dataset == "main/Au/Johnson"
     assert optical_constants.dataset_of_address("specs/schott/optical/N-BK7.yml") == "specs/SCHOTT-optical/N-BK7"
@@ -194,7 +263,10 @@ COLUMNS = {"wavelength_nm": W, "n": N, "k": K}
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)])
-@pytest.mark.parametrize("heads, unit", [(("wavelength (nm)", "n", "k"), 1.0), (("E (eV)", "n", "k"), 0.0), (("lambda_um", "eta", "kappa"), 1e-3)])
+@pytest.mark.parametrize(
+    "heads, unit",
+    [(("wavelength (nm)", "n", "k"), 1.0), (("E (eV)", "n", "k"), 0.0), (("lambda_um", "eta", "kappa"), 1e-3)],
+)
 @pytest.mark.parametrize("sep", [",", ";", "\t"])
 def test_columns_in_any_order(order, heads, unit, sep):
     columns = [W * unit if unit else EV, N, K]
@@ -227,12 +299,12 @@ def test_a_unit_dropped(name, tmp_path):
 
 @pytest.mark.parametrize("name", TAMPERED)
 def test_a_line_cut_off(name, tmp_path):
-    """The file ends in the middle of its last line but two, or lacks one: right within what a point less tells, or refused."""
+    """A line ends in its middle, or is missing: right within what a point less tells, said, or refused."""
     reading = READINGS[name]
     lines = reading.content.split(b"\n")
     if len(lines) < 12:
         return
-    for changed in (lines[:-6] + [lines[-6][:len(lines[-6]) // 2]] + lines[-5:], lines[:8] + lines[9:]):
+    for changed in (lines[:-6] + [lines[-6][: len(lines[-6]) // 2]] + lines[-5:], lines[:8] + lines[9:]):
         constants = read_or_refused(b"\n".join(changed), reading.file, tmp_path)
         assert constants is None or np.abs(f0_of(constants) - reading.f0).max() <= 0.06 or constants.assumed
 
@@ -252,10 +324,17 @@ def test_a_byte_flipped(name, tmp_path):
 BIG = 78_000
 
 
-@pytest.mark.parametrize("form, head, file", [
-    ("{:.4f},{:.30f},{:.50f}\n", "nm,n,k\n", "a.csv"), ("{:.4f} {:.30f} {:.50f}\n", "", "a.txt"),
-    ("{:.4f};{:.30f};{:.50f}\n", "nm;n;k\n", "a.csv"), ('"{:.4f}","{:.30f}","{:.50f}"\n', "nm,n,k\n", "a.csv"),
-    ("<tr><td>{:.4f}<td>{:.20f}<td>{:.50f}\n", "", "a.html"), ('[{:.4f}, {:.30f}, {:.50f}],\n', "", "a.txt")])
+@pytest.mark.parametrize(
+    "form, head, file",
+    [
+        ("{:.4f},{:.30f},{:.50f}\n", "nm,n,k\n", "a.csv"),
+        ("{:.4f} {:.30f} {:.50f}\n", "", "a.txt"),
+        ("{:.4f};{:.30f};{:.50f}\n", "nm;n;k\n", "a.csv"),
+        ('"{:.4f}","{:.30f}","{:.50f}"\n', "nm,n,k\n", "a.csv"),
+        ("<tr><td>{:.4f}<td>{:.20f}<td>{:.50f}\n", "", "a.html"),
+        ("[{:.4f}, {:.30f}, {:.50f}],\n", "", "a.txt"),
+    ],
+)
 def test_the_slowest_of_8_mb(form, head, file):
     w = np.linspace(300.0, 900.0, BIG)
     text = head + "".join(form.format(*row) for row in zip(w, 1.5 + 0.0 * w, 0.1 + 0.0 * w))
@@ -300,6 +379,7 @@ def test_a_number_that_stands_far_from_its_neighbours_is_asked_about():
 
 
 # --- the database by its files ---
+
 
 def test_datasets_by_file_are_those_of_the_bundle():
     """Every 30th; tools/compare_database.py compares all."""

@@ -12,7 +12,7 @@ import numpy as np
 from . import units
 from .headings import Column, column_of, quantity_of_name
 from .pairs import partner_of
-from .points import Points, checked, constants
+from .points import checked, constants
 from .quantities import n_and_k_of
 from .rows import ROW, Table, numbers, tables_of
 from .wide import table_of_rows
@@ -28,9 +28,15 @@ MOST_SERIES = 2000
 LEAST_N_WITHOUT_K, LEAST_K_OF_A_METAL, LARGEST_N = 1.0, 0.5, 12.0
 """No material has n below the first and k below the second throughout, nor n above the last: R may be meant."""
 MOST_LINES_OF_A_HEAD = 100
-IN_HEADS = {role: re.compile(words, re.IGNORECASE) for role, words in {
-    "R": r"\breflect(ance|ivity|ion)\b|%\s?R\b|\bR\s?%|\breflexion", "T": r"\btransmi(ttance|ssion|ssivity)\b|%\s?T\b|\bT\s?%",
-    "A": r"\babsor(bance|ptance|ption)\b|\boptical density\b|\bemissivity\b|\b(ir)?radiance\b|\bcounts\b|\bintensity\b"}.items()}
+IN_HEADS = {
+    role: re.compile(words, re.IGNORECASE)
+    for role, words in {
+        "R": r"\breflect(ance|ivity|ion)\b|%\s?R\b|\bR\s?%|\breflexion",
+        "T": r"\btransmi(ttance|ssion|ssivity)\b|%\s?T\b|\bT\s?%",
+        "A": r"\babsor(bance|ptance|ption)\b|\boptical density\b|\bemissivity\b|\b(ir)?radiance\b|\bcounts\b"
+        r"|\bintensity\b",
+    }.items()
+}
 """Words of an instrument's head that tell what it measured."""
 SHORT_REMARK = 4
 """Words of a remark that is no sentence: "Au n" names the quantity."""
@@ -85,6 +91,7 @@ def series_of(text):
 
 # --- which column is what ---
 
+
 @dataclasses.dataclass(eq=False)
 class Layout:
     """A Table with its Columns, and in pairs which column is an axis and which are given over it.
@@ -130,13 +137,22 @@ def _parts(text, columns, axes, real):
         if all(found for _, found in parts):
             return parts
     order = ["nm", "µm", "Å", "eV"]
-    best = min(axes, key=lambda axis: (columns[axis].unit == "", order.index(columns[axis].unit)
-                                       if columns[axis].unit in order else len(order), axis))
+    best = min(
+        axes,
+        key=lambda axis: (
+            columns[axis].unit == "",
+            order.index(columns[axis].unit) if columns[axis].unit in order else len(order),
+            axis,
+        ),
+    )
     if len(axes) > 1:
         text.assume(f"read over {columns[best].name!r}, as the axis is there several times")
     if not values:
-        text.refuse(None, "the headings name only " + ", ".join(repr(column.name) for column in columns)[:80],
-                    "wavelength and n, n and k, or R")
+        text.refuse(
+            None,
+            "the headings name only " + ", ".join(repr(column.name) for column in columns)[:80],
+            "wavelength and n, n and k, or R",
+        )
     return [(best, values)]
 
 
@@ -170,16 +186,24 @@ def _columns_by_values(text, table, matrix):
         return [Column("axis"), Column("")]
     if width == 3:
         return _three(text, real)
-    return text.refuse(first, f"has {numbers(width)}",
-                       "two or three: wavelength, n and k, or wavelength and R; or headings that say what they are")
+    return text.refuse(
+        first,
+        f"has {numbers(width)}",
+        "two or three: wavelength, n and k, or wavelength and R; or headings that say what they are",
+    )
 
 
 def _is_axis(values):
     """Whether numbers rise or fall throughout, over a range that can be a good part of the visible."""
     values = values[np.isfinite(values)]
     step = np.diff(values)
-    return (values.size > 1 and values.min() > 0.0 and (np.all(step > 0.0) or np.all(step < 0.0))
-            and bool(units.fitting(values)) and values.max() > 1.1 * values.min())
+    return (
+        values.size > 1
+        and values.min() > 0.0
+        and (np.all(step > 0.0) or np.all(step < 0.0))
+        and bool(units.fitting(values))
+        and values.max() > 1.1 * values.min()
+    )
 
 
 def _three(text, real):
@@ -191,12 +215,23 @@ def _three(text, real):
         text.assume("columns taken as n, k, wavelength: there are no headings, and only the last can be wavelengths")
         return [Column("n"), Column("k"), Column("axis")]
     second, third = real[np.isfinite(real[:, 1]), 1], np.abs(real[np.isfinite(real[:, 2]), 2])
-    if second.size and third.size and (second.max() < LEAST_N_WITHOUT_K and third.max() < LEAST_K_OF_A_METAL or np.median(second) > LARGEST_N):
+    if (
+        second.size
+        and third.size
+        and (second.max() < LEAST_N_WITHOUT_K and third.max() < LEAST_K_OF_A_METAL or np.median(second) > LARGEST_N)
+    ):
         percent = np.median(second) > LARGEST_N
         readings = ("R in % and another", "n and k") if percent else ("R and another", "n and k")
         span = f"{second.min():g} to {second.max():g}"
-        if text.ask(None, f"the second numbers, {span}, beside third ones to {third.max():g}, may be", readings,
-                    "headings that say what they are") != "n and k":
+        if (
+            text.ask(
+                None,
+                f"the second numbers, {span}, beside third ones to {third.max():g}, may be",
+                readings,
+                "headings that say what they are",
+            )
+            != "n and k"
+        ):
             return [Column("axis"), Column("R", "%" if percent else ""), Column("other")]
     text.assume("columns taken as wavelength, n, k: there are no headings")
     return [Column("axis"), Column("n"), Column("k")]
@@ -206,7 +241,9 @@ def _only_the_last_is_axis(real):
     first, last = real[:, 0], real[:, 2]
     step = np.diff(last[np.isfinite(last)])
     orderly = step.size > 1 and max(np.mean(step > 0.0), np.mean(step < 0.0)) >= (0.85 if step.size > 6 else 1.0)
-    lengths = [unit for unit in units.fitting(last) if unit in {"nm", "µm"}] if orderly and np.nanmin(last) > 0.0 else []
+    lengths = (
+        [unit for unit in units.fitting(last) if unit in {"nm", "µm"}] if orderly and np.nanmin(last) > 0.0 else []
+    )
     return bool(lengths) and not _is_axis(first) and np.nanmax(first) < 20.0 and np.isfinite(first).all()
 
 
@@ -220,24 +257,32 @@ def _is_reflectance_of(real):
 def _is_permittivity_of(real):
     n, k, e1, e2 = real[:, 1:].T
     with np.errstate(all="ignore"):
-        return len(n) > 2 and bool(np.allclose(n * n - k * k, e1, rtol=0.02, atol=0.02) and np.allclose(2.0 * n * k, e2, rtol=0.02, atol=0.02))
+        return len(n) > 2 and bool(
+            np.allclose(n * n - k * k, e1, rtol=0.02, atol=0.02) and np.allclose(2.0 * n * k, e2, rtol=0.02, atol=0.02)
+        )
 
 
 # --- in which unit the axis is ---
+
 
 def _name_units(text, laid_out):
     """Set the units of axes that name none: what remarks say and the numbers of all tables can be."""
     for layout in laid_out:
         for (axis, _), unit in zip(layout.parts, layout.units):
             _refuse_invisible(text, layout, _usable(layout.matrix[:, axis].real), unit)
-    open_ones = [(layout, at) for layout in laid_out for at, unit in enumerate(layout.units) if not unit or unit[0] == "?"]
+    open_ones = [
+        (layout, at) for layout in laid_out for at, unit in enumerate(layout.units) if not unit or unit[0] == "?"
+    ]
     if not open_ones:
         return
     for layout, at in open_ones:
         if layout.units[at][:1] == "?":
             column = layout.columns[layout.parts[at][0]]
-            text.refuse(_line_of(layout), f"the unit {layout.units[at][1:]!r} of {column.role} is unknown",
-                        "nm, µm, Å, eV, 1/cm or THz")
+            text.refuse(
+                _line_of(layout),
+                f"the unit {layout.units[at][1:]!r} of {column.role} is unknown",
+                "nm, µm, Å, eV, 1/cm or THz",
+            )
     kinds = {layout.columns[layout.parts[at][0]].role for layout, at in open_ones}
     kind = kinds.pop() if len(kinds) == 1 else ""
     kind = "" if kind == "axis" else kind
@@ -257,8 +302,11 @@ def _refuse_invisible(text, layout, values, unit):
         return
     nm = units.in_nm(values, unit)
     if nm.min() > 780.0 or nm.max() < 360.0:
-        text.refuse(_line_of(layout), f"the headings say {unit}, in which {values.min():g} to {values.max():g} are not visible",
-                    "400 to 700 nm or a good part of it")
+        text.refuse(
+            _line_of(layout),
+            f"the headings say {unit}, in which {values.min():g} to {values.max():g} are not visible",
+            "400 to 700 nm or a good part of it",
+        )
 
 
 def _line_of(layout):
@@ -276,8 +324,11 @@ def _unit_of(text, open_ones, axis, kind, line):
     what = {"energy": "energies", "wavenumber": "wavenumbers", "frequency": "frequencies"}.get(kind, "wavelengths")
     if not fits:
         common = " or ".join(units.KINDS[kind][:2])
-        text.refuse(line, f"the {what}, {low:g} to {high:g}, are not visible in {common}",
-                    "400 to 700 nm or a good part of it, the unit in a heading")
+        text.refuse(
+            line,
+            f"the {what}, {low:g} to {high:g}, are not visible in {common}",
+            "400 to 700 nm or a good part of it, the unit in a heading",
+        )
     chosen = text.chosen(fits)
     if chosen:
         return chosen
@@ -295,12 +346,21 @@ def _unit_of(text, open_ones, axis, kind, line):
     good = np.isfinite(own) & (own > 0.0)
     for values in column.values():
         good &= np.isfinite(values)
-    best, why = (None, "") if len(open_ones) > 1 or not good.any() else units.decided(
-        own[good], fits, *(column[role][good] if role in column else None for role in ("n", "k")))
+    best, why = (
+        (None, "")
+        if len(open_ones) > 1 or not good.any()
+        else units.decided(own[good], fits, *(column[role][good] if role in column else None for role in ("n", "k")))
+    )
     if best is None:
-        return text.ask(line, f"the {what}, {low:g} to {high:g}, may be in", fits,
-                        "one unit throughout, named in a heading such as wavelength_nm")
-    text.assume(f"{units.AXIS_UNITS[best].kind} read in {best}, not {' or '.join(unit for unit in fits if unit != best)}: {why}")
+        return text.ask(
+            line,
+            f"the {what}, {low:g} to {high:g}, may be in",
+            fits,
+            "one unit throughout, named in a heading such as wavelength_nm",
+        )
+    text.assume(
+        f"{units.AXIS_UNITS[best].kind} read in {best}, not {' or '.join(unit for unit in fits if unit != best)}: {why}"
+    )
     return best
 
 
@@ -310,8 +370,12 @@ def _units_in_remarks(text):
     for line in text.lines[:60]:
         if len(line) > 300:
             continue
-        for match in re.finditer(r"(?:wavelengths?|lambda|energy|energies|units?|wl|x[ _-]?axis|spectral unit)\b[\s:=(\[]*(?:is|are|in|of|:|=)*\s*[(\[]?\s*([^\s,;()\[\]]+)",
-                                 line, re.IGNORECASE):
+        for match in re.finditer(
+            r"(?:wavelengths?|lambda|energy|energies|units?|wl|x[ _-]?axis|spectral unit)\b[\s:=(\[]*"
+            r"(?:is|are|in|of|:|=)*\s*[(\[]?\s*([^\s,;()\[\]]+)",
+            line,
+            re.IGNORECASE,
+        ):
             word = match[1].lower().strip(".\"'").replace("µ", "μ")
             if word in units.UNIT_OF and word not in {"a", "m", "j"}:
                 found.append(units.UNIT_OF[word])
@@ -320,19 +384,26 @@ def _units_in_remarks(text):
 
 # --- the columns as series ---
 
+
 def _series(text, layout, place):
     table, matrix = layout.table, layout.matrix
     lines = np.array([row.line for row in table.rows])
     titles = _titles(table)
-    for part, ((axis, values), unit) in enumerate(zip(layout.parts, layout.units)):
+    for (axis, values), unit in zip(layout.parts, layout.units):
         axis_values = matrix[:, axis].real
-        nm = units.in_nm(np.where(axis_values == 0.0, np.nan, axis_values), unit) if units.AXIS_UNITS[unit].falls else units.in_nm(axis_values, unit)
+        nm = (
+            units.in_nm(np.where(axis_values == 0.0, np.nan, axis_values), unit)
+            if units.AXIS_UNITS[unit].falls
+            else units.in_nm(axis_values, unit)
+        )
         for at in values:
             column = layout.columns[at]
             if column.unit[:1] == "?":
-                text.refuse(table.above[-1][0] if table.above else lines[0],
-                            f"the unit {column.unit[1:]!r} of {column.role} is unknown",
-                            "% or none" if column.role in {"R", "T"} else "none, as it is a mere number")
+                text.refuse(
+                    table.above[-1][0] if table.above else lines[0],
+                    f"the unit {column.unit[1:]!r} of {column.role} is unknown",
+                    "% or none" if column.role in {"R", "T"} else "none, as it is a mere number",
+                )
             keep = _without_faults(text, table.rows, nm, axis, at, matrix)
             name = column.name or titles.get(at) or titles.get(axis) or ""
             group = titles.get(axis) or titles.get(at) or ""
@@ -340,13 +411,17 @@ def _series(text, layout, place):
 
 
 def _titles(table):
-    """What stands in the line above the headings, by column: the samples of instruments that write them side by side."""
+    """What stands in the line above the headings, by column: samples that an instrument writes side by side."""
     for at in range(len(table.above) - 1, 0, -1):
         if table.columns is not None and column_of(table.above[at][1].split(",")[0].split("\t")[0].split(";")[0]).role:
             line = table.above[at - 1][1]
             for separator in ("\t", ";", ","):
                 if separator in line:
-                    return {place: cell.strip().strip('"') for place, cell in enumerate(line.split(separator)) if cell.strip().strip('"')}
+                    return {
+                        place: cell.strip().strip('"')
+                        for place, cell in enumerate(line.split(separator))
+                        if cell.strip().strip('"')
+                    }
     return {}
 
 
@@ -355,7 +430,11 @@ def _without_faults(text, rows, nm, axis, at, matrix):
     missing = np.isnan(nm)
     empty = missing & np.isnan(matrix[:, at]) | (matrix == 0.0).all(axis=1)
     keep = ~empty
-    faulty = [place for place, row in enumerate(rows) if row.faults and (ROW in row.faults or axis in row.faults or at in row.faults)]
+    faulty = [
+        place
+        for place, row in enumerate(rows)
+        if row.faults and (ROW in row.faults or axis in row.faults or at in row.faults)
+    ]
     faulty += np.flatnonzero(missing & ~empty).tolist()
     left_out = 0
     for place in sorted(set(faulty)):
@@ -364,13 +443,17 @@ def _without_faults(text, rows, nm, axis, at, matrix):
             keep[place] = False
             left_out += 1
             continue
-        text.refuse(rows[place].line, *(faults.get(ROW) or faults.get(axis) or faults.get(at) or ("the wavelength is missing", "a number")))
+        text.refuse(
+            rows[place].line,
+            *(faults.get(ROW) or faults.get(axis) or faults.get(at) or ("the wavelength is missing", "a number")),
+        )
     if left_out:
         text.assume(f"{left_out} lines outside of 360 to 780 nm left out: they are faulty")
     return keep
 
 
 # --- which quantities, and what follows from them ---
+
 
 def finished(text, found):
     """The OpticalConstants of some Series: those that the caller chose, or the only ones that there are."""
@@ -403,7 +486,7 @@ def _told_by_values(text, series):
         return {"role": chosen[0], "unit": "%" if "%" in chosen else ""}
     if series.unit == "%":
         return {"role": "R", "unit": "%"}
-    told = {role for role in (_by_remarks(text), quantity_of_name(text.name[:-len(text.suffix) or None])) if role}
+    told = {role for role in (_by_remarks(text), quantity_of_name(text.name[: -len(text.suffix) or None])) if role}
     values = series.values[np.isfinite(series.values)]
     line = series.lines[0] if series.lines.size else None
     if not values.size:
@@ -419,8 +502,12 @@ def _told_by_values(text, series):
         return {"role": role}
     span = f"{values.min():g} to {values.max():g}"
     if text.suffix == ".spd":
-        role = text.ask(line, f"the second numbers, {span}, are one half of an eta and k pair, or a reflectance: they may be",
-                        ("n", "k", "R"), "a name such as Au.eta.spd with Au.k.spd beside it")
+        role = text.ask(
+            line,
+            f"the second numbers, {span}, are one half of an eta and k pair, or a reflectance: they may be",
+            ("n", "k", "R"),
+            "a name such as Au.eta.spd with Au.k.spd beside it",
+        )
         return {"role": role}
     if values.min() <= 0.0 or (values >= 1.0).all() and values.max() <= LARGEST_PLAIN_INDEX:
         if values.min() > 0.0:
@@ -432,15 +519,19 @@ def _told_by_values(text, series):
     if (values >= LEAST_PLAIN_PERCENT).all():
         text.assume("taken as the reflectance R in %: there are no headings, and all is from 10 on")
         return {"role": "R", "unit": "%"}
-    role = text.ask(line, f"the second numbers, {span}, may be n or R:", ("n", "R", "R in %"),
-                    "a heading such as 'wavelength_nm, n' or 'wavelength_nm, R (%)'")
+    role = text.ask(
+        line,
+        f"the second numbers, {span}, may be n or R:",
+        ("n", "R", "R in %"),
+        "a heading such as 'wavelength_nm, n' or 'wavelength_nm, R (%)'",
+    )
     return {"role": role[0], "unit": "%" if "%" in role else ""}
 
 
 def _by_words_above(text, line):
     """The quantities that heads of instruments name in their lines: "YUNITS  TRANSMITTANCE"."""
     found = set()
-    for above in text.lines[:min(line - 1 if line else 0, MOST_LINES_OF_A_HEAD)]:
+    for above in text.lines[: min(line - 1 if line else 0, MOST_LINES_OF_A_HEAD)]:
         if len(above) < 300:
             found |= {role for role, words in IN_HEADS.items() if words.search(above)}
     return found
@@ -475,9 +566,14 @@ def _chosen(text, found):
     chosen = text.ask(None if len(samples) > 1 else line, "holds several spectra:", samples)
     text.assume(f"of {len(samples)} spectra: {chosen}")
     picked = [series for series, name in zip(found, names) if name == chosen]
-    shared = [series for series, name in zip(found, names) if not name and series.role not in {one.role for one in picked}]
-    return _chosen(text, picked + shared) if len({one.role for one in picked}) == len(picked) else text.refuse(
-        line, f"{chosen} comes a second time", "each quantity once")
+    shared = [
+        series for series, name in zip(found, names) if not name and series.role not in {one.role for one in picked}
+    ]
+    return (
+        _chosen(text, picked + shared)
+        if len({one.role for one in picked}) == len(picked)
+        else text.refuse(line, f"{chosen} comes a second time", "each quantity once")
+    )
 
 
 def _sample_names(found):
@@ -501,13 +597,22 @@ def _with_partner(text, roles):
         if half == "n":
             _ask_for_k(text, roles["n"])
             return n_and_k_of(text, roles, alone=True)
-        text.refuse(None, f"has {half} alone, half of a pair",
-                    "n, n and k, or R; or n in a file beside it, named alike" if half == "k" else "n beside it")
+        text.refuse(
+            None,
+            f"has {half} alone, half of a pair",
+            "n, n and k, or R; or n in a file beside it, named alike" if half == "k" else "n beside it",
+        )
     theirs = {series.role: series for series in series_of(partner)}
-    told = {role: series for role, series in ((_told_half(partner, series, half, other), series) for series in theirs.values())}
+    told = {
+        role: series
+        for role, series in ((_told_half(partner, series, half, other), series) for series in theirs.values())
+    }
     if not set(told) & {other, "α"}:
         text.refuse(None, f"has {half} alone, half of a pair, and {partner.name} beside it has no {other}", "n and k")
-    found = {half: roles[half], **{role: dataclasses.replace(series, role=role) for role, series in told.items() if role != half}}
+    found = {
+        half: roles[half],
+        **{role: dataclasses.replace(series, role=role) for role, series in told.items() if role != half},
+    }
     text.assume(f"{half} from here, {other} from {partner.name} beside it")
     return n_and_k_of(text, found)
 
@@ -516,12 +621,16 @@ def _told_half(partner, series, half, other):
     """The role of a Series in the partner's file: the other half where nothing names it."""
     if series.role:
         return series.role
-    return quantity_of_name(partner.name[:-len(partner.suffix) or None]) or other
+    return quantity_of_name(partner.name[: -len(partner.suffix) or None]) or other
 
 
 def _ask_for_k(text, series):
     """Refuse n that only a file's name or a remark calls so: that is half of a pair."""
-    named = "n" in {quantity_of_name(text.name[:-len(text.suffix) or None]), _by_remarks(text)}
+    named = "n" in {quantity_of_name(text.name[: -len(text.suffix) or None]), _by_remarks(text)}
     if named and not series.name:
-        text.ask(None, "has n alone, half of a pair, and no file with k lies beside it;", ("k = 0",),
-                 "the other half in a file beside it, named alike")
+        text.ask(
+            None,
+            "has n alone, half of a pair, and no file with k lies beside it;",
+            ("k = 0",),
+            "the other half in a file beside it, named alike",
+        )

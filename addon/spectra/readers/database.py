@@ -55,7 +55,8 @@ def read_database(text):
         elif formula:
             found.append(_formula(text, item, int(formula[1])))
         elif kind in NONLINEAR:
-            text.refuse(line, "n2 tells how the index grows with very strong light: no reflectance follows", "a dataset of n and k")
+            text.refuse(line, "n2 tells how the index grows with very strong light: no reflectance follows",
+                        "a dataset of n and k")
         else:
             text.refuse(line, f"the type is {kind[:40]!r}", TYPES)
     return constants(text, _each_quantity_once(text, found), _references(text), database=True)
@@ -69,7 +70,8 @@ def _each_quantity_once(text, found):
         if before is not points:
             w = before.wavelength_nm
             w = w[(w >= points.wavelength_nm[0]) & (w <= points.wavelength_nm[-1])]
-            differ = np.abs(np.interp(w, before.wavelength_nm, before.values) - np.interp(w, points.wavelength_nm, points.values))
+            differ = np.abs(np.interp(w, before.wavelength_nm, before.values)
+                            - np.interp(w, points.wavelength_nm, points.values))
             if not w.size or differ.max() > AGREE:
                 text.refuse(points.lines[0], f"{points.role} comes a second time", "each quantity once")
             text.assume(f"{points.role} is there twice and agrees: the first is read")

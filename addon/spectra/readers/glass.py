@@ -46,7 +46,10 @@ FORMULAS = {
     12: ("Extended 2", 8, lambda w, c: _powers(w, c, (0, 2, -2, -4, -6, -8, 4, 6))),
     13: ("Extended 3", 9, lambda w, c: _powers(w, c, (0, 2, 4, -2, -4, -6, -8, -10, -12))),
 }
-"""n² over λ in µm: (name, how many coefficients, formula), by the number in the catalogue.  Zemax OpticStudio, "Glass catalogs"."""
+"""n² over λ in µm: (name, how many coefficients, formula), by the number in the catalogue.
+
+Zemax OpticStudio's manual, "Using glass catalogs".
+"""
 LEAST_TRANSMITTANCE = 1e-12
 CATALOGUE_LINE = re.compile(r"(CC|NM|GC|ED|CD|TD|OD|LD|IT|MD|BD)(\s|$)")
 MATERIAL = re.compile(r"\s*MATE\s+(\S+)\s*(.*)", re.IGNORECASE)
@@ -71,7 +74,9 @@ def read_glass_catalogue(text):
     """
     glasses = _glasses(text)
     names = list(glasses)
-    name = names[0] if len(names) == 1 else text.ask(None, "is a catalogue of glasses:", names, "one of them by its name")
+    name = (
+        names[0] if len(names) == 1 else text.ask(None, "is a catalogue of glasses:", names, "one of them by its name")
+    )
     if len(names) > 1:
         text.assume(f"of {len(names)} glasses: {name}")
     return _glass(text, name, glasses[name])
@@ -142,7 +147,12 @@ def _absorption(text, entry):
                 lines.append(at)
     table = np.array(rows).reshape(-1, 2)
     inside = (table[:, 0] > VISIBLE_NM[0]) & (table[:, 0] < VISIBLE_NM[1])
-    if np.count_nonzero(inside) < 2 or table[:, 0].min() > 400.0 or table[:, 0].max() < 700.0 or len(set(table[:, 0])) < len(table):
+    if (
+        np.count_nonzero(inside) < 2
+        or table[:, 0].min() > 400.0
+        or table[:, 0].max() < 700.0
+        or len(set(table[:, 0])) < len(table)
+    ):
         return []
     text.assume("k from the internal transmittances")
     return [checked(text, Points("k", table[:, 0], table[:, 1], np.array(lines)))]
@@ -150,12 +160,16 @@ def _absorption(text, entry):
 
 def is_coating(text):
     """Whether a line names a material as a coating file of Zemax does, and the lines below it are numbers."""
-    return any(MATERIAL.match(line) and any(NUMBER.fullmatch(word) for word in " ".join(text.lines[at + 1:at + 4]).split()[:3])
-               for at, line in enumerate(text.lines) if line[:1] in "Mm \t")
+    return any(
+        MATERIAL.match(line)
+        and any(NUMBER.fullmatch(word) for word in " ".join(text.lines[at + 1 : at + 4]).split()[:3])
+        for at, line in enumerate(text.lines)
+        if line[:1] in "Mm \t"
+    )
 
 
 def read_coating(text):
-    """The OpticalConstants of the only material in a coating file, or of the chosen one: λ in µm, n, k below 0 as n − ik.
+    """The OpticalConstants of the only material in a coating file, or of the chosen one: λ in µm, n and k.
 
     Raises Ambiguous, which names the materials, where none is chosen.
 
@@ -189,5 +203,8 @@ def read_coating(text):
         text.assume("k is below 0 throughout: read as n − ik, as Zemax has it")
         k = -k
     wavelength = in_nm(table[:, 0], "µm")
-    found = constants(text, [checked(text, Points(role, wavelength, column, lines)) for role, column in (("n", table[:, 1]), ("k", k))])
+    found = constants(
+        text,
+        [checked(text, Points(role, wavelength, column, lines)) for role, column in (("n", table[:, 1]), ("k", k))],
+    )
     return dataclasses.replace(found, title=name)

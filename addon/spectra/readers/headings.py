@@ -13,91 +13,120 @@ __all__ = ["Column", "QUANTITIES", "columns_of", "column_of", "names_beyond_asci
 
 QUANTITIES = {
     "wavelength": (
-        "wavelength", "wavelengths", "wave length", "wl", "wvl", "wave", "wavel", "lambda", "lam", "λ", "w", "vacuum wavelength",
-        "lambda0", "λ0", "wellenlänge", "wellenlaenge", "longueur d'onde", "longueur d’onde", "longueur d onde",
-        "longitud de onda", "lunghezza d'onda", "comprimento de onda", "golflengte", "våglängd", "bølgelængde", "bølgelengde",
-        "długość fali", "dlugosc fali", "vlnová délka", "hullámhossz", "aallonpituus", "dalga boyu", "длина волны",
-        "довжина хвилі", "μήκος κύματος", "波长", "波長", "파장"),
+        "wavelength", "wavelengths", "wave length", "wl", "wvl", "wave", "wavel", "lambda", "lam", "λ", "w",
+        "vacuum wavelength", "lambda0", "λ0", "wellenlänge", "wellenlaenge", "longueur d'onde", "longueur d’onde",
+        "longueur d onde", "longitud de onda", "lunghezza d'onda", "comprimento de onda", "golflengte", "våglängd",
+        "bølgelængde", "bølgelengde", "długość fali", "dlugosc fali", "vlnová délka", "hullámhossz", "aallonpituus",
+        "dalga boyu", "длина волны", "довжина хвилі", "μήκος κύματος", "波长", "波長", "파장"),
     "energy": (
         "energy", "photon energy", "photonenergy", "hν", "hv", "h nu", "ħω", "energie", "photonenergie", "énergie",
-        "energía", "energia", "энергия", "энергия фотона", "能量", "光子能量", "エネルギー", "光子エネルギー", "에너지"),
+        "energía", "energia", "энергия", "энергия фотона", "能量", "光子能量", "エネルギー",
+        "光子エネルギー", "에너지"),
     "wavenumber": (
         "wavenumber", "wavenumbers", "wave number", "wave numbers", "wellenzahl", "nombre d'onde", "número de onda",
         "numero d'onda", "волновое число", "波数", "파수"),
     "frequency": (
-        "frequency", "freq", "frequenz", "fréquence", "frecuencia", "frequenza", "частота", "频率", "周波数", "주파수", "ν"),
+        "frequency", "freq", "frequenz", "fréquence", "frecuencia", "frequenza", "частота", "频率", "周波数",
+        "주파수", "ν"),
     "axis": ("x",),
     "n": (
-        "n", "nr", "n real", "real n", "re n", "re(n)", "real(n)", "n(λ)", "n'", "n (real)", "index", "index n", "re(index)", "real(index)",
-        "index real", "index(real)", "ref. index", "refr. index", "refr index", "ref index", "ri", "ior", "eta", "η", "refractive index", "refraction index", "refractive index n",
+        "n", "nr", "n real", "real n", "re n", "re(n)", "real(n)", "n(λ)", "n'", "n (real)", "index", "index n",
+        "re(index)", "real(index)", "index real", "index(real)", "ref. index", "refr. index", "refr index",
+        "ref index", "ri", "ior", "eta", "η", "refractive index", "refraction index", "refractive index n",
         "index of refraction", "real index", "real part", "real part of index", "real part of refractive index",
-        "real refractive index", "refractive", "refindex", "brechungsindex", "brechzahl", "realteil", "indice", "indice de réfraction",
-        "índice de refracción", "índice", "indice di rifrazione", "índice de refração", "brekingsindex", "brytningsindex",
-        "współczynnik załamania", "показатель преломления", "показник заломлення", "折射率", "屈折率", "굴절률"),
+        "real refractive index", "refractive", "refindex", "brechungsindex", "brechzahl", "realteil", "indice",
+        "indice de réfraction", "índice de refracción", "índice", "indice di rifrazione", "índice de refração",
+        "brekingsindex", "brytningsindex", "współczynnik załamania", "показатель преломления", "показник заломлення",
+        "折射率", "屈折率", "굴절률"),
     "k": (
-        "k", "κ", "kappa", "ki", "n imag", "imag n", "im n", "im(n)", "imag(n)", "k(λ)", "n''", 'n"', "ni", "n (imag)", "index k", "im(index)",
-        "imag(index)", "index imag", "index(imag)", "extinction", "extinction coefficient", "extinction coeff", "extinction coefficient k", "extinction index",
-        "absorption index", "ext. coeff.", "ext coeff", "ext. coef.", "ext coef", "ext. coefficient", "imaginary index", "imaginary part", "imaginary part of refractive index",
-        "imaginary refractive index", "extinktion", "extinktionskoeffizient", "extinktionskoeff.", "absorptionsindex", "imaginärteil",
-        "coefficient d'extinction", "coeficiente de extinción", "coefficiente di estinzione", "coeficiente de extinção",
-        "współczynnik ekstynkcji", "показатель поглощения", "коэффициент экстинкции", "коэффициент поглощения k", "消光系数",
-        "消衰係数", "소광계수"),
+        "k", "κ", "kappa", "ki", "n imag", "imag n", "im n", "im(n)", "imag(n)", "k(λ)", "n''", 'n"', "ni",
+        "n (imag)", "index k", "im(index)", "imag(index)", "index imag", "index(imag)", "extinction",
+        "extinction coefficient", "extinction coeff", "extinction coefficient k", "extinction index",
+        "absorption index", "ext. coeff.", "ext coeff", "ext. coef.", "ext coef", "ext. coefficient",
+        "imaginary index", "imaginary part", "imaginary part of refractive index", "imaginary refractive index",
+        "extinktion", "extinktionskoeffizient", "extinktionskoeff.", "absorptionsindex", "imaginärteil",
+        "coefficient d'extinction", "coeficiente de extinción", "coefficiente di estinzione",
+        "coeficiente de extinção", "współczynnik ekstynkcji", "показатель поглощения", "коэффициент экстинкции",
+        "коэффициент поглощения k", "消光系数", "消衰係数", "소광계수"),
     "ε1": (
-        "e1", "e 1", "eps1", "eps 1", "ε1", "ε 1", "epsilon1", "epsilon 1", "re(eps)", "re(ε)", "re(epsilon)", "re eps", "re epsilon",
-        "re ε", "real(eps)", "real(epsilon)", "real eps", "real epsilon", "eps real", "epsilon real", "eps re", "eps'", "ε'", "er", "epsr", "eps r", "εr",
-        "real permittivity", "real part of permittivity", "permittivity real", "real dielectric", "real part of dielectric function",
+        "e1", "e 1", "eps1", "eps 1", "ε1", "ε 1", "epsilon1", "epsilon 1", "re(eps)", "re(ε)", "re(epsilon)",
+        "re eps", "re epsilon", "re ε", "real(eps)", "real(epsilon)", "real eps", "real epsilon", "eps real",
+        "epsilon real", "eps re", "eps'", "ε'", "er", "epsr", "eps r", "εr", "real permittivity",
+        "real part of permittivity", "permittivity real", "real dielectric", "real part of dielectric function",
         "dielectric real", "ε′"),
     "ε2": (
-        "e2", "e 2", "eps2", "eps 2", "ε2", "ε 2", "epsilon2", "epsilon 2", "im(eps)", "im(ε)", "im(epsilon)", "im eps", "im epsilon",
-        "im ε", "imag(eps)", "imag(epsilon)", "imag eps", "imag epsilon", "eps imag", "epsilon imag", "eps im", "eps''", "ε''", 'ε"', 'eps"', "ei", "epsi", "eps i",
-        "εi", "imaginary permittivity", "imaginary part of permittivity", "permittivity imag", "permittivity imaginary",
+        "e2", "e 2", "eps2", "eps 2", "ε2", "ε 2", "epsilon2", "epsilon 2", "im(eps)", "im(ε)", "im(epsilon)",
+        "im eps", "im epsilon", "im ε", "imag(eps)", "imag(epsilon)", "imag eps", "imag epsilon", "eps imag",
+        "epsilon imag", "eps im", "eps''", "ε''", 'ε"', 'eps"', "ei", "epsi", "eps i", "εi",
+        "imaginary permittivity", "imaginary part of permittivity", "permittivity imag", "permittivity imaginary",
         "imaginary dielectric", "imaginary part of dielectric function", "dielectric imag", "ε″"),
     "R": (
-        "r", "rn", "r0", "f0", "refl", "refl.", "reflectance", "reflectivity", "reflection", "reflectance at normal incidence",
-        "normal reflectance", "normal reflectivity", "specular reflectance", "specular reflectivity", "specular reflection",
-        "specular refl", "abs reflectance", "absolute reflectance", "reflectance factor", "total reflectance", "reflexion",
-        "reflexionsgrad", "reflektion", "reflexionsvermögen", "spiegelung", "réflexion", "réflectance", "réflectivité", "reflectancia",
-        "reflectividad", "reflexión", "riflettanza", "riflessione", "riflettività", "reflectância", "reflectie", "reflektans",
-        "отражение", "коэффициент отражения", "відбиття", "反射率", "镜面反射率", "반사율", "r(th=0)", "r(0)", "r th=0"),
-    "T": ("t", "trans", "transmittance", "transmission", "transmissivity", "internal transmittance", "transmissionsgrad", "tint",
-          "transmittancia", "transmitancia", "пропускание", "коэффициент пропускания", "透过率", "透射率", "透過率", "투과율"),
-    "A": ("a", "abs", "abs.", "absorb", "absorbance", "absorbanz", "absorptance", "absorption", "absorptivity", "od", "optical density", "emissivity",
-          "吸光度", "吸收率", "оптическая плотность"),
-    "α": ("α", "alpha", "absorption coefficient", "absorption coeff", "attenuation coefficient", "absorptionskoeffizient",
-          "coefficient d'absorption", "coeficiente de absorción", "коэффициент поглощения", "吸收系数", "吸収係数", "흡수계수"),
-    "n+ik": ("n+ik", "n + ik", "n+jk", "n-ik", "n - ik", "nk", "n k", "ñ", "n complex", "complex n", "complex index", "complex refractive index",
-             "index complex", "refractive index complex", "refractive index (complex)"),
-    "ε1+iε2": ("eps", "ε", "epsilon", "permittivity", "dielectric function", "dielectric constant", "complex permittivity",
-               "complex eps", "eps complex", "e1+ie2", "relative permittivity"),
-    "number": ("", "#", "no", "no.", "nr.", "point", "points", "pt", "id", "idx", "i", "row", "unnamed: 0", "unnamed", "№", "number", "n°", "序号", "番号"),
+        "r", "rn", "r0", "f0", "refl", "refl.", "reflectance", "reflectivity", "reflection",
+        "reflectance at normal incidence", "normal reflectance", "normal reflectivity", "specular reflectance",
+        "specular reflectivity", "specular reflection", "specular refl", "abs reflectance", "absolute reflectance",
+        "reflectance factor", "total reflectance", "reflexion", "reflexionsgrad", "reflektion", "reflexionsvermögen",
+        "spiegelung", "réflexion", "réflectance", "réflectivité", "reflectancia", "reflectividad", "reflexión",
+        "riflettanza", "riflessione", "riflettività", "reflectância", "reflectie", "reflektans", "отражение",
+        "коэффициент отражения", "відбиття", "反射率", "镜面反射率", "반사율", "r(th=0)", "r(0)", "r th=0"),
+    "T": (
+        "t", "trans", "transmittance", "transmission", "transmissivity", "internal transmittance",
+        "transmissionsgrad", "tint", "transmittancia", "transmitancia", "пропускание", "коэффициент пропускания",
+        "透过率", "透射率", "透過率", "투과율"),
+    "A": (
+        "a", "abs", "abs.", "absorb", "absorbance", "absorbanz", "absorptance", "absorption", "absorptivity", "od",
+        "optical density", "emissivity", "吸光度", "吸收率", "оптическая плотность"),
+    "α": (
+        "α", "alpha", "absorption coefficient", "absorption coeff", "attenuation coefficient",
+        "absorptionskoeffizient", "coefficient d'absorption", "coeficiente de absorción", "коэффициент поглощения",
+        "吸收系数", "吸収係数", "흡수계수"),
+    "n+ik": (
+        "n+ik", "n + ik", "n+jk", "n-ik", "n - ik", "nk", "n k", "ñ", "n complex", "complex n", "complex index",
+        "complex refractive index", "index complex", "refractive index complex", "refractive index (complex)"),
+    "ε1+iε2": (
+        "eps", "ε", "epsilon", "permittivity", "dielectric function", "dielectric constant", "complex permittivity",
+        "complex eps", "eps complex", "e1+ie2", "relative permittivity"),
+    "number": (
+        "", "#", "no", "no.", "nr.", "point", "points", "pt", "id", "idx", "i", "row", "unnamed: 0", "unnamed", "№",
+        "number", "n°", "序号", "番号"),
     "other": (
-        "std", "sd", "σ", "sigma", "err", "error", "uncertainty", "unc", "dn", "dk", "δn", "δk", "Δn", "Δk", "n err", "k err", "n error", "k error", "std n", "std k", "n std", "k std", "σn", "σk", "mse", "thickness",
-        "depth", "fwhm", "bandwidth", "resolution", "slit", "temperature", "temp", "source", "reference", "ref", "comment", "comments", "note",
-        "notes", "material", "sample", "name", "psi", "delta", "ψ", "δ", "angle", "weight", "dn/dt", "rp", "rs", "density", "loss", "tan δ", "tand", "phase", "n group", "ng", "group index", "n_g", "vg",
-        "gvd", "dispersion"),
+        "std", "sd", "σ", "sigma", "err", "error", "uncertainty", "unc", "dn", "dk", "δn", "δk", "Δn", "Δk", "n err",
+        "k err", "n error", "k error", "std n", "std k", "n std", "k std", "σn", "σk", "mse", "thickness", "depth",
+        "fwhm", "bandwidth", "resolution", "slit", "temperature", "temp", "source", "reference", "ref", "comment",
+        "comments", "note", "notes", "material", "sample", "name", "psi", "delta", "ψ", "δ", "angle", "weight",
+        "dn/dt", "rp", "rs", "density", "loss", "tan δ", "tand", "phase", "n group", "ng", "group index", "n_g",
+        "vg", "gvd", "dispersion"),
 }
 """What people call each quantity; "number" counts rows, "other" is left aside."""
 
 AXES = ("wavelength", "energy", "wavenumber", "frequency", "axis")
 PERCENT = {"%", "percent", "pct", "per cent", "prozent", "pourcent", "процент", "％", "百分比"}
-NO_UNIT = {"", "-", "1", "–", "—", "none", "au", "a.u.", "a. u.", "arb", "dimensionless", "unitless", "fraction", "[]", "()", "ratio", "0-1", "0..1"}
-PER_LENGTH = {"1/cm": 1e-7, "cm-1": 1e-7, "cm^-1": 1e-7, "/cm": 1e-7, "1/m": 1e-9, "m-1": 1e-9, "m^-1": 1e-9, "1/mm": 1e-6, "mm-1": 1e-6,
-              "1/um": 1e-3, "1/μm": 1e-3, "um-1": 1e-3, "1/nm": 1.0, "nm-1": 1.0}
+NO_UNIT = {"", "-", "1", "–", "—", "none", "au", "a.u.", "a. u.", "arb", "dimensionless", "unitless", "fraction", "[]",
+           "()", "ratio", "0-1", "0..1"}
+PER_LENGTH = {
+    "1/cm": 1e-07, "cm-1": 1e-07, "cm^-1": 1e-07, "/cm": 1e-07, "1/m": 1e-09, "m-1": 1e-09, "m^-1": 1e-09,
+    "1/mm": 1e-06, "mm-1": 1e-06, "1/um": 0.001, "1/μm": 0.001, "um-1": 0.001, "1/nm": 1.0, "nm-1": 1.0,
+}
 """1/nm in a unit of absorption coefficients."""
-SYMBOLS = {"n": "n", "eta": "n", "η": "n", "k": "k", "kappa": "k", "κ": "k", "e1": "ε1", "eps1": "ε1", "ε1": "ε1", "e2": "ε2",
-           "eps2": "ε2", "ε2": "ε2", "r": "R", "refl": "R", "reflectance": "R", "reflectivity": "R", "reflection": "R", "%r": "R",
-           "wavelength": "wavelength", "wl": "wavelength", "lambda": "wavelength", "λ": "wavelength", "energy": "energy",
-           "transmittance": "T", "transmission": "T", "absorbance": "A", "t": "T"}
+SYMBOLS = {
+    "n": "n", "eta": "n", "η": "n", "k": "k", "kappa": "k", "κ": "k", "e1": "ε1", "eps1": "ε1", "ε1": "ε1",
+    "e2": "ε2", "eps2": "ε2", "ε2": "ε2", "r": "R", "refl": "R", "reflectance": "R", "reflectivity": "R",
+    "reflection": "R", "%r": "R", "wavelength": "wavelength", "wl": "wavelength", "lambda": "wavelength",
+    "λ": "wavelength", "energy": "energy", "transmittance": "T", "transmission": "T", "absorbance": "A", "t": "T",
+}
 """Words that tell a quantity within a longer heading, such as n_Au."""
 OF_FILE_NAMES = {
-    "n": ("n", "eta", "ior", "nr"), "k": ("k", "kappa"), "α": ("alpha",),
+    "n": ("n", "eta", "ior", "nr"),
+    "k": ("k", "kappa"),
+    "α": ("alpha",),
     "R": ("r", "refl", "reflectance", "reflectivity", "reflection", "rspec"),
     "T": ("trans", "transmittance", "transmission", "tint"),
     "A": ("abs", "absorb", "absorbance", "absorptance", "absorption", "od", "emissivity", "emission", "emittance"),
 }
 """Words in a file's name that tell what is in a table that tells nothing itself."""
 UNSPACED = re.compile(r"[\s_]+")
-HEADING = re.compile(r"(?P<name>.*?)\s*(?:[(\[{<]\s*(?P<bracketed>[^()\[\]{}<>]*?(?:\([^()]*\))?)\s*[)\]}>]\.?|(?:/|,|;|\bin\b|\ben\b|_|\s)\s*(?P<plain>[^\s/]\S*?)\.?)\s*")
+HEADING = re.compile(
+    r"(?P<name>.*?)\s*(?:[(\[{<]\s*(?P<bracketed>[^()\[\]{}<>]*?(?:\([^()]*\))?)\s*[)\]}>]\.?"
+    r"|(?:/|,|;|\bin\b|\ben\b|_|\s)\s*(?P<plain>[^\s/]\S*?)\.?)\s*")
 QUOTED = re.compile("[\"'“”„«»‘’`]+(.*?)[\"'“”„«»‘’`]+")
 WORD_AND_SYMBOL = re.compile(r"([^\x00-\x7f]+)\s*[a-zκη]")
 ANGLE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:°|º|deg)")
@@ -131,8 +160,10 @@ def _key(word):
     return UNSPACED.sub("", unicodedata.normalize("NFKC", word).strip().lower())
 
 
-BEYOND_ASCII = tuple(name for names in QUANTITIES.values() for name in names if not name.isascii() and len(name) > 1 and name.isalpha()
-                     and len(name.encode("ascii", "ignore")) < len(name)) + ("longueur d’onde", "(µm)", "[µm]", "/µm", " µm", "_µm", "длина волны")
+BEYOND_ASCII = (
+    *(name for names in QUANTITIES.values() for name in names
+      if not name.isascii() and len(name) > 1 and name.isalpha()),
+    "longueur d’onde", "(µm)", "[µm]", "/µm", " µm", "_µm", "длина волны")
 ROLES = {_key(name): role for role, names in QUANTITIES.items() for name in names}
 
 
@@ -161,7 +192,8 @@ def column_of(heading):
     if native and native[1] in ROLES:
         return Column(ROLES[native[1]], "", name)
     if "%" in plain:
-        rest = column_of(plain.replace("%", " ").replace("()", " ").replace("[]", " ")) if plain.strip("%()[] ") else None
+        bare = plain.replace("%", " ").replace("()", " ").replace("[]", " ")
+        rest = column_of(bare) if bare.strip("()[] ") else None
         if rest is not None and rest.role in {"R", "T", "A"}:
             return Column(rest.role, "%", name, degrees)
         return Column("", "%", name)
@@ -188,7 +220,8 @@ def _with_unit(stem, unit, name, degrees):
         return Column(role, "%" if unit in PERCENT else "", name, degrees)
     if role and role not in AXES and unit in NO_UNIT:
         return Column(role, "", name)
-    if role in {"n", "k", "ε1", "ε2", "R", "T", "A", "α"} and (unit in UNIT_OF or unit in PERCENT or unit in {"db", "deg"}):
+    foreign = unit in UNIT_OF or unit in PERCENT or unit in {"db", "deg"}
+    if foreign and role in {"n", "k", "ε1", "ε2", "R", "T", "A", "α"}:
         return Column(role, f"?{unit}", name)
     if role in AXES and unit:
         return Column(role, f"?{unit}" if len(unit) < 12 and " " not in unit else "", name)
@@ -229,7 +262,8 @@ def columns_of(line, count=None):
             if len(columns) != count:
                 columns = columns if _is_heading(columns, True) else []
         if _is_heading(columns, False):
-            score = (count is None or len(columns) == count, sum(column.role != "" for column in columns), -len(columns))
+            known = sum(column.role != "" for column in columns)
+            score = (count is None or len(columns) == count, known, -len(columns))
             if best is None or score > best[0]:
                 best = score, columns
     return best[1] if best else None

@@ -7,7 +7,11 @@ from .text import text_of_file
 
 __all__ = ["partner_of", "partner_names", "HALVES"]
 
-HALVES = {"n": ("eta", "n", "nr", "ior", "index"), "k": ("k", "kappa", "ext", "extinction"), "α": ("alpha", "absorption")}
+HALVES = {
+    "n": ("eta", "n", "nr", "ior", "index"),
+    "k": ("k", "kappa", "ext", "extinction"),
+    "α": ("alpha", "absorption"),
+}
 """Words of a file's name that tell which half it holds."""
 OTHERS = {"n": ("k", "α"), "k": ("n",), "α": ("n",)}
 COUNTED = re.compile(r"^\d+[_\- ]+")
@@ -24,7 +28,7 @@ def partner_names(name, half):
     for word in HALVES[half]:
         for match in re.finditer(rf"(?<![a-z]){word}(?![a-z])", plain):
             for other in OTHERS[half]:
-                found |= {plain[:match.start()] + swapped + plain[match.end():] for swapped in HALVES[other]}
+                found |= {plain[: match.start()] + swapped + plain[match.end() :] for swapped in HALVES[other]}
     return found
 
 

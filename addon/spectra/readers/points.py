@@ -80,9 +80,14 @@ def checked(text, points, noise=False):
     _require(text, lines, w, w > 0.0, "the wavelength is {:g} nm", "one above 0")
     step = w[1:] / w[:-1]
     ratio = np.maximum(step, 1.0 / np.maximum(step, 1e-300))
-    _require(text, lines[1:], ratio, ratio <= LARGEST_STEP,
-             "the wavelength is {:.0f} times apart from the one before: units are mixed",
-             "nm throughout or µm throughout")
+    _require(
+        text,
+        lines[1:],
+        ratio,
+        ratio <= LARGEST_STEP,
+        "the wavelength is {:.0f} times apart from the one before: units are mixed",
+        "nm throughout or µm throughout",
+    )
     points = _possible(text, _measured(text, points), noise)
     points = _each_once(text, _in_order(text, points))
     _say_spikes(text, points)
@@ -145,14 +150,20 @@ def _check_values(text, points):
     values, lines = points.values, points.lines
     if points.role == "R":
         _require(text, lines, values, values >= 0.0, "R is {:g}", "0 to 1, or 0 to 100 %")
-        _require(text, lines, values, values <= 1.0, "R is {:g}, more than all of the light",
-                 "0 to 1, or a heading with % where it is in percent, up to 100")
+        _require(
+            text,
+            lines,
+            values,
+            values <= 1.0,
+            "R is {:g}, more than all of the light",
+            "0 to 1, or a heading with % where it is in percent, up to 100",
+        )
         return
     low = values > 0.0 if points.role == "n" else values >= 0.0
-    _require(text, lines, values, low, points.role + " is {:g}",
-             "a number above 0" if points.role == "n" else "0 or more")
-    _require(text, lines, values, values <= LARGEST_INDEX, points.role + " is {:g}",
-             f"at most {LARGEST_INDEX:g}")
+    _require(
+        text, lines, values, low, points.role + " is {:g}", "a number above 0" if points.role == "n" else "0 or more"
+    )
+    _require(text, lines, values, values <= LARGEST_INDEX, points.role + " is {:g}", f"at most {LARGEST_INDEX:g}")
 
 
 def _in_order(text, points):
@@ -169,15 +180,18 @@ def _in_order(text, points):
     run = np.concatenate([[0], np.cumsum(step < 0.0)])
     if _is_out_of_place(points, run):
         at = int(np.argmax(step < 0.0)) + 1
-        text.refuse(points.lines[at], f"the wavelength {w[at]:.10g} nm is below the one before",
-                    "wavelengths that ascend or fall")
+        text.refuse(
+            points.lines[at],
+            f"the wavelength {w[at]:.10g} nm is below the one before",
+            "wavelengths that ascend or fall",
+        )
     if inside(w[1:][step < 0.0]).any():
         text.assume("the wavelengths are in no order: sorted")
     return points.at(np.argsort(w, kind="stable"))
 
 
 def _say_spikes(text, points):
-    """Say where one point of the visible stands far from both its neighbours: a number that was cut, or a typing error."""
+    """Say where one point of the visible stands far from both its neighbours: a cut number, or a typing error."""
     w, values = points.wavelength_nm, points.values
     if points.role == "k" and values.max(initial=0.0) < 0.1 or w.size < 5:
         return
@@ -187,8 +201,10 @@ def _say_spikes(text, points):
     spikes = np.flatnonzero(away > SPIKE) + 1
     if spikes.size and np.ptp(spikes) <= 2:
         at = spikes[away[spikes - 1].argmax()]
-        text.assume(f"{points.role} at {w[at]:g} nm, {values[at]:g} in line {points.lines[at]}, stands far from both its neighbours: "
-                    "is that number right?")
+        text.assume(
+            f"{points.role} at {w[at]:g} nm, {values[at]:g} in line {points.lines[at]}, stands far from both its "
+            "neighbours: is that number right?"
+        )
 
 
 def _is_out_of_place(points, run):
@@ -214,9 +230,15 @@ def _each_once(text, points):
     differ = np.abs(values[again] - values[again - 1]) > SAME * np.maximum(np.abs(values[again]), SAME_FLOOR)
     seen = [at for at in again[differ & inside(w[again])] if not _in_a_dense_table(w, values, at)]
     if seen:
-        text.refuse(max(points.lines[seen[0] - 1], points.lines[seen[0]]), f"the wavelength {w[seen[0]]:.10g} nm comes again", "each once")
+        text.refuse(
+            max(points.lines[seen[0] - 1], points.lines[seen[0]]),
+            f"the wavelength {w[seen[0]]:.10g} nm comes again",
+            "each once",
+        )
     if inside(w[again]).any():
-        text.assume(f"{_count(int(inside(w[again]).sum()))} of {points.role} at a wavelength that comes twice: the last counts")
+        text.assume(
+            f"{_count(int(inside(w[again]).sum()))} of {points.role} at a wavelength that comes twice: the last counts"
+        )
     return Points(points.role, ascending(w), values, points.lines)
 
 
@@ -224,7 +246,7 @@ def _in_a_dense_table(w, values, at):
     """Whether two values at one wavelength lie between close neighbours, as where a steep curve was digitised."""
     if at < 2 or at + 1 >= w.size or w[at + 1] - w[at - 2] > 2.0 * DENSE_NM:
         return False
-    around, two = values[[at - 2, at + 1]], values[at - 1:at + 1]
+    around, two = values[[at - 2, at + 1]], values[at - 1 : at + 1]
     return bool(0.9 * around.min() <= two.min() and two.max() <= 1.1 * around.max())
 
 
@@ -254,11 +276,16 @@ def constants(text, found, citation=LICENCE, database=False):
     low = max(points.wavelength_nm[0] for points in found)
     high = min(points.wavelength_nm[-1] for points in found)
     if min(high, CORE_NM[1]) - max(low, CORE_NM[0]) < LEAST_COVER_NM - 1e-3:
-        text.refuse(None, f"the wavelengths, {low:g} to {high:g} nm, cover less than {LEAST_COVER_NM:g} nm "
-                          "of the visible", "400 to 700 nm or a good part of it")
+        text.refuse(
+            None,
+            f"the wavelengths, {low:g} to {high:g} nm, cover less than {LEAST_COVER_NM:g} nm of the visible",
+            "400 to 700 nm or a good part of it",
+        )
     if low > CORE_NM[0] or high < CORE_NM[1]:
-        text.assume(f"only {max(low, CORE_NM[0]):g} to {min(high, CORE_NM[1]):g} nm of 400 to 700 nm are measured: "
-                    "the values at the ends are held beyond")
+        text.assume(
+            f"only {max(low, CORE_NM[0]):g} to {min(high, CORE_NM[1]):g} nm of 400 to 700 nm are measured: "
+            "the values at the ends are held beyond"
+        )
     about = {"dataset": f"file:{text.name}", "title": text.title, "citation": citation, "licence": LICENCE}
     if "R" in by_role:
         made = from_normal_reflectance(by_role["R"].wavelength_nm, by_role["R"].values, **about)
@@ -266,7 +293,9 @@ def constants(text, found, citation=LICENCE, database=False):
     n, k = by_role["n"], by_role.get("k")
     if k is None:
         chosen = _alone(text, n, database)
-        return OpticalConstants(n.wavelength_nm, n.values, np.zeros_like(n.values), has_k=chosen, assumed=tuple(text.assumed), **about)
+        return OpticalConstants(
+            n.wavelength_nm, n.values, np.zeros_like(n.values), has_k=chosen, assumed=tuple(text.assumed), **about
+        )
     wavelength, n, k = on_common_wavelengths((n.wavelength_nm, n.values), (k.wavelength_nm, k.values))
     return OpticalConstants(wavelength, n, k, range_nm=(float(low), float(high)), assumed=tuple(text.assumed), **about)
 
@@ -274,7 +303,8 @@ def constants(text, found, citation=LICENCE, database=False):
 def why_k_is_missing(wavelength_nm, n):
     """Why n alone cannot be all that there is, or "": metals have n below 1, or n that rises towards the red.
 
-    >>> why_k_is_missing(np.array([400.0, 700.0]), np.array([1.5, 1.4])), why_k_is_missing(np.array([400.0, 700.0]), np.array([1.6, 0.2]))
+    >>> wavelength = np.array([400.0, 700.0])
+    >>> why_k_is_missing(wavelength, np.array([1.5, 1.4])), why_k_is_missing(wavelength, np.array([1.6, 0.2]))
     ('', 'n falls to 0.2')
     """
     core = (wavelength_nm >= CORE_NM[0]) & (wavelength_nm <= CORE_NM[1])
@@ -291,7 +321,11 @@ def _alone(text, n, database):
     if database or not why:
         text.assume("no k is given: taken as 0")
         return False
-    text.ask(None, f"has n alone, half of a pair: {why}, as only where light is absorbed, so that k is missing;", ("k = 0",),
-             "n and k, or the other half in a file beside it")
+    text.ask(
+        None,
+        f"has n alone, half of a pair: {why}, as only where light is absorbed, so that k is missing;",
+        ("k = 0",),
+        "n and k, or the other half in a file beside it",
+    )
     text.assume("no k is given: taken as 0, as chosen")
     return True

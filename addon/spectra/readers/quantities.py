@@ -41,8 +41,11 @@ def n_and_k_of(text, roles, alone=False):
     if "ε1+iε2" in roles:
         series = roles["ε1+iε2"]
         if not np.iscomplexobj(series.values):
-            text.refuse(None, f"has one column of {series.name!r}: epsilon is complex, and its other half is missing",
-                        "ε1 and ε2, or complex numbers")
+            text.refuse(
+                None,
+                f"has one column of {series.name!r}: epsilon is complex, and its other half is missing",
+                "ε1 and ε2, or complex numbers",
+            )
         return _from_permittivity(text, series, series.values.real, series.values.imag)
     if {"n", "k"} <= set(roles):
         return _n_and_k(text, roles["n"], roles["k"])
@@ -50,14 +53,20 @@ def n_and_k_of(text, roles, alone=False):
         one, two = roles["ε1"], roles["ε2"]
         if not np.array_equal(one.wavelength_nm, two.wavelength_nm):
             order = np.argsort(two.wavelength_nm)
-            return _from_permittivity(text, one, one.values, np.interp(one.wavelength_nm, two.wavelength_nm[order], two.values[order]))
+            return _from_permittivity(
+                text, one, one.values, np.interp(one.wavelength_nm, two.wavelength_nm[order], two.values[order])
+            )
         return _from_permittivity(text, one, one.values, two.values)
     for half in ("ε1", "ε2"):
         if half in roles:
             text.refuse(None, f"has {half} alone, half of a pair", "ε1 and ε2")
     if "R" in roles:
         if set(roles) & {"n", "k"}:
-            text.refuse(None, "has R and " + " and ".join(sorted(set(roles) & {"n", "k"})), "R alone, or n and k; or n, n and k, or R")
+            text.refuse(
+                None,
+                "has R and " + " and ".join(sorted(set(roles) & {"n", "k"})),
+                "R alone, or n and k; or n, n and k, or R",
+            )
         return [_reflectance(text, roles["R"])]
     if "n" in roles:
         return _n_and_absorption(text, roles, alone)
@@ -65,7 +74,9 @@ def n_and_k_of(text, roles, alone=False):
         return None
     for role, what in (("T", "transmittance"), ("A", "absorbance")):
         if role in roles:
-            text.refuse(None, f"has the {what} alone: no reflectance follows without n and the thickness", "n, n and k, or R")
+            text.refuse(
+                None, f"has the {what} alone: no reflectance follows without n and the thickness", "n, n and k, or R"
+            )
     names = ", ".join(repr(series.name) for series in roles.values())[:80]
     return text.refuse(None, f"the columns {names} name no n, k or R", "headings such as 'wavelength_nm, n, k'")
 
@@ -97,8 +108,10 @@ def _from_permittivity(text, series, e1, e2):
         e2 = np.where(low, 0.0, e2)
     n, k = index_of_permittivity(e1, e2)
     text.assume("n and k from the permittivity: (n + ik)² = ε1 + iε2")
-    return [Points("n", series.wavelength_nm, np.where(np.isnan(e1), np.nan, np.maximum(n, 1e-9)), series.lines),
-            Points("k", series.wavelength_nm, k, series.lines)]
+    return [
+        Points("n", series.wavelength_nm, np.where(np.isnan(e1), np.nan, np.maximum(n, 1e-9)), series.lines),
+        Points("k", series.wavelength_nm, k, series.lines),
+    ]
 
 
 def _reflectance(text, series):
@@ -108,8 +121,15 @@ def _reflectance(text, series):
     values = series.values.real
     seen = values[np.isfinite(values)]
     if series.unit == "%" and seen.size and 0.0 < seen.max() <= LEAST_PERCENT:
-        percent = text.ask(series.lines[0], f"R, {seen.min():g} to {seen.max():g}, is headed with % and small throughout: it may be",
-                           ("in %", "a share"), "numbers up to 100, or a heading without %") == "in %"
+        percent = (
+            text.ask(
+                series.lines[0],
+                f"R, {seen.min():g} to {seen.max():g}, is headed with % and small throughout: it may be",
+                ("in %", "a share"),
+                "numbers up to 100, or a heading without %",
+            )
+            == "in %"
+        )
     else:
         percent = series.unit == "%" or bool(seen.size and (seen > 1.0).all() and seen.max() > LEAST_PERCENT)
     if percent and series.unit != "%":
@@ -125,13 +145,24 @@ def _n_and_absorption(text, roles, alone):
         alpha = roles["α"]
         per_nm = PER_LENGTH.get(alpha.unit)
         if per_nm is None:
-            unit = text.ask(None, "the absorption coefficient α has no unit: it may be in", ("1/cm", "1/m"), "a heading such as alpha (1/cm)")
+            unit = text.ask(
+                None,
+                "the absorption coefficient α has no unit: it may be in",
+                ("1/cm", "1/m"),
+                "a heading such as alpha (1/cm)",
+            )
             per_nm = PER_LENGTH[unit]
         text.assume("k from the absorption coefficient: k = αλ/4π")
-        return [*found, Points("k", alpha.wavelength_nm, alpha.values.real * per_nm * alpha.wavelength_nm / (4.0 * np.pi), alpha.lines)]
+        return [
+            *found,
+            Points(
+                "k", alpha.wavelength_nm, alpha.values.real * per_nm * alpha.wavelength_nm / (4.0 * np.pi), alpha.lines
+            ),
+        ]
     if "T" in roles:
         thickness = THICKNESS.search(roles["T"].name) or next(
-            (match for line in text.lines[:40] if "thick" in line.lower() and (match := THICKNESS.search(line))), None)
+            (match for line in text.lines[:40] if "thick" in line.lower() and (match := THICKNESS.search(line))), None
+        )
         if thickness:
             return [*found, _k_of_transmittance(text, n, roles["T"], thickness)]
         text.assume("T is left aside: no thickness is named")

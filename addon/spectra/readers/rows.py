@@ -28,8 +28,10 @@ PLAIN = re.compile(r"[-+0-9.eE,;|\t ]*")
 COMMA_NUMBER = r"[+-]?\d+(?:,\d+)?(?:[eE][+-]?\d+)?"
 DECIMAL_COMMA_ROW = re.compile(rf"{COMMA_NUMBER}(?:\s+{COMMA_NUMBER})+")
 NUM = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?"
-COMPLEX = re.compile(rf"\(?\s*(?P<re>{NUM})\s*(?P<sign>[+-])\s*(?:(?P<im>(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*\*?\s*[ij]|[ij]\s*\*?\s*(?P<mi>(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?))\s*\)?",
-                     re.ASCII | re.IGNORECASE)
+COMPLEX = re.compile(
+    rf"\(?\s*(?P<re>{NUM})\s*(?P<sign>[+-])\s*(?:(?P<im>(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*\*?\s*[ij]|[ij]\s*\*?\s*(?P<mi>(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?))\s*\)?",
+    re.ASCII | re.IGNORECASE,
+)
 SPACED_COMPLEX = re.compile(r"(?<=[\d.)])\s+([+-])\s+(?=[\dij.])")
 SUFFIXED = re.compile(rf"(?P<number>{NUM})\s*(?P<unit>nm|um|µm|μm|ev|%|å|cm-1|thz)", re.ASCII | re.IGNORECASE)
 FORTRAN = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))[dD]([+-]?\d+)", re.ASCII)
@@ -108,8 +110,11 @@ def tables_of(text):
 def _refuse_whole_numbers(text, data, separator, spans):
     row = spans[0][1][0]
     if separator == "," and len(row.values) > 2 and not any(c in line for line in data for c in ".eE"):
-        text.refuse(row.line, "whole numbers between commas may be decimal commas",
-                    "decimal points, or semicolons between the columns")
+        text.refuse(
+            row.line,
+            "whole numbers between commas may be decimal commas",
+            "decimal points, or semicolons between the columns",
+        )
 
 
 def _content(text):
@@ -142,7 +147,7 @@ def _content(text):
             bare = bare.split("#", 1)[0].rstrip()
         if " //" in bare and DATA.match(bare):
             bare = bare.split(" //", 1)[0].rstrip()
-        if bare.strip("|- :+=\t,;\"_") == "" and ("--" in bare or "==" in bare or "__" in bare):
+        if bare.strip('|- :+=\t,;"_') == "" and ("--" in bare or "==" in bare or "__" in bare):
             continue
         bare = _without_brackets(bare)
         if not bare:
@@ -156,7 +161,11 @@ def _without_brackets(line):
     """A line of numbers without the brackets of a list that stand around all of it."""
     if line[0] in "[(" or line.rstrip(",; ")[-1:] in ("]", ")"):
         inner = BRACKETED.fullmatch(line)
-        if inner and inner[1].count("(") == inner[1].count(")") and (DATA.match(inner[1]) or not inner[1].strip("[]() ,;")):
+        if (
+            inner
+            and inner[1].count("(") == inner[1].count(")")
+            and (DATA.match(inner[1]) or not inner[1].strip("[]() ,;"))
+        ):
             return inner[1].strip("[] ")
     return line
 
@@ -167,7 +176,11 @@ def _separator(data):
     commas = any("," in line for line in sample)
     for separator in ("\t", ";", "|"):
         with_it = sum(separator in line.strip() for line in sample)
-        if separator == ";" and with_it and all(";" not in line.rstrip("; ") and re.search(r"\S\s+\S|,", line.rstrip("; ")) for line in sample):
+        if (
+            separator == ";"
+            and with_it
+            and all(";" not in line.rstrip("; ") and re.search(r"\S\s+\S|,", line.rstrip("; ")) for line in sample)
+        ):
             continue
         if with_it == len(sample) or separator != "\t" and with_it or separator == "\t" and with_it > 0.9 * len(sample):
             points = any(re.search(r"\d\.\d", line) for line in sample)
@@ -188,7 +201,9 @@ def _separator(data):
 def _cells(line, separator):
     if separator == "\t":
         cells = [cell.strip() for cell in line.strip(" ").split("\t")]
-        return [cell for cell in cells if cell] if "\t\t" in line and all(cells[::2]) and not any(cells[1::2]) else cells
+        return (
+            [cell for cell in cells if cell] if "\t\t" in line and all(cells[::2]) and not any(cells[1::2]) else cells
+        )
     if separator == "," and '"' in line and line.count('"') % 2 == 0:
         return [cell.strip() for cell in next(csv.reader([line], skipinitialspace=True))]
     if separator == "," and "(" in line:
@@ -229,7 +244,10 @@ def _fault_of(what, cell, decimal_comma, why):
     if why == "large":
         return f"{what} is {shown(cell)}, which is too large", "a number"
     if decimal_comma and "." in cell:
-        return (f"{shown(cell)} has a decimal point where other numbers have a decimal comma", "the same in all numbers, as a number")
+        return (
+            f"{shown(cell)} has a decimal point where other numbers have a decimal comma",
+            "the same in all numbers, as a number",
+        )
     return f"{what} is {shown(cell)}", "a number"
 
 
@@ -337,7 +355,7 @@ def _trim(rows):
     whole = width = max(len(row.values) for row in rows)
     while width > 1 and all(len(row.values) < width or _is_empty(row, width - 1) for row in rows):
         for row in rows:
-            del row.values[width - 1:]
+            del row.values[width - 1 :]
         width -= 1
     return whole - width
 
@@ -354,15 +372,22 @@ def _headings_above(text, above, count):
         far = at < len(above) - 3 and not all(column.role for column in columns or ())
         if columns is None or far or remark and len(columns) != count:
             continue
-        if at > 0 and all(not column.role or column.unit and column.is_axis or column.role == "number" for column in columns):
+        if at > 0 and all(
+            not column.role or column.unit and column.is_axis or column.role == "number" for column in columns
+        ):
             # Perhaps a row of units; then the names stand above it.
             names = columns_of(above[at - 1][1], count)
             if names:
                 return _with_units(names, columns)
         before = columns_of(above[at - 1][1], count) if at and not above[at - 1][2] and not remark else None
-        if before and all(one.role for one in before) and {one.role for one in before} ^ {one.role for one in columns} and any(one.is_axis for one in before):
+        if (
+            before
+            and all(one.role for one in before)
+            and {one.role for one in before} ^ {one.role for one in columns}
+            and any(one.is_axis for one in before)
+        ):
             text.refuse(above[at - 1][0], "there is a line of headings without numbers below", "numbers below it")
-        for _, below, _ in above[at + 1:at + 2]:
+        for _, below, _ in above[at + 1 : at + 2]:
             columns = _with_unit_row(columns, below)
         return columns
     return None
@@ -400,8 +425,12 @@ def _check_widths(text, table):
         text.refuse(row.line, f"has {numbers(usual)}", f"{len(table.columns)}, as the headings name")
     for row in table.rows:
         if len(row.values) != usual:
-            row.faults = {ROW: (f"has {numbers(len(row.values))}",
-                                f"{usual}, as the headings name" if named else f"{usual}, as in the other lines")}
+            row.faults = {
+                ROW: (
+                    f"has {numbers(len(row.values))}",
+                    f"{usual}, as the headings name" if named else f"{usual}, as in the other lines",
+                )
+            }
             row.values = (row.values + [float("nan")] * usual)[:usual]
 
 

@@ -7,8 +7,6 @@ import html
 import json
 import re
 
-import numpy as np
-
 from .columns import finished, read_columns, series_of
 from .headings import column_of
 from .text import NUMBER, Text
@@ -49,8 +47,11 @@ def read_json(text):
     tables = {}
     _tables_in(value, "", tables, 0, {})
     if not tables:
-        text.refuse(None, "is JSON without lists of numbers that are named as wavelengths and n, k or R; there are no numbers to read", "lists such as "
-                    "\"wavelength\", \"n\" and \"k\"")
+        text.refuse(
+            None,
+            "is JSON without lists that are named as wavelengths and n, k or R: there are no numbers to read",
+            'lists such as "wavelength", "n" and "k"',
+        )
     names = list(tables)
     name = names[0] if len(names) == 1 else text.ask(None, "holds the materials", names, "one of them by its name")
     if len(names) > 1:
@@ -70,7 +71,10 @@ def _tables_in(value, name, tables, depth, units):
     if depth > DEEPEST or len(tables) > 500:
         return
     if isinstance(value, dict):
-        units = {**units, **{str(key).lower(): word for key, word in value.items() if isinstance(word, str) and len(word) < 40}}
+        units = {
+            **units,
+            **{str(key).lower(): word for key, word in value.items() if isinstance(word, str) and len(word) < 40},
+        }
         lines = _of_lists(value, units) or _of_pairs(value, units) or _of_mapping(value)
         if lines:
             tables[name or str(value.get("name") or value.get("material") or "all")] = lines
@@ -95,13 +99,20 @@ def _tables_in(value, name, tables, depth, units):
 
 
 def _is_numbers(value):
-    return (isinstance(value, list) and len(value) > 1
-            and all(isinstance(one, (int, float, type(None))) and not isinstance(one, bool) for one in value))
+    return (
+        isinstance(value, list)
+        and len(value) > 1
+        and all(isinstance(one, (int, float, type(None))) and not isinstance(one, bool) for one in value)
+    )
 
 
 def _numbers_of(value):
     """A list of numbers as it is, and of one whose numbers are written as text as well."""
-    if isinstance(value, list) and len(value) > 1 and all(isinstance(one, str) and NUMBER.fullmatch(one.strip()) for one in value):
+    if (
+        isinstance(value, list)
+        and len(value) > 1
+        and all(isinstance(one, str) and NUMBER.fullmatch(one.strip()) for one in value)
+    ):
         return [float(one) for one in value]
     return value
 
@@ -111,9 +122,22 @@ def _heading(key, units):
     plain = str(key)
     column = column_of(plain)
     if column.is_axis and not column.unit:
-        for name in (f"{plain.lower()}_unit", f"{plain.lower()}_units", f"unit_{plain.lower()}", f"{plain.lower()}unit", "unit", "units", "x_unit", "xunit"):
+        for name in (
+            f"{plain.lower()}_unit",
+            f"{plain.lower()}_units",
+            f"unit_{plain.lower()}",
+            f"{plain.lower()}unit",
+            "unit",
+            "units",
+            "x_unit",
+            "xunit",
+        ):
             word = units.get(name)
-            if word and column_of(f"wavelength ({word})").unit and not column_of(f"wavelength ({word})").unit.startswith("?"):
+            if (
+                word
+                and column_of(f"wavelength ({word})").unit
+                and not column_of(f"wavelength ({word})").unit.startswith("?")
+            ):
                 return f"{plain} ({word})"
     return plain.replace("\t", " ").replace("\n", " ")[:60]
 
@@ -142,14 +166,36 @@ def _of_pairs(value, units):
     found = []
     for key, rows in value.items():
         role = column_of(str(key)).role
-        if role in {"n", "k", "R", "ε1", "ε2"} and isinstance(rows, list) and rows and all(_is_numbers(row) and len(row) == 2 for row in rows):
+        if (
+            role in {"n", "k", "R", "ε1", "ε2"}
+            and isinstance(rows, list)
+            and rows
+            and all(_is_numbers(row) and len(row) == 2 for row in rows)
+        ):
             found += ["\t".join((_heading("wavelength", units), str(key))), *_lines(rows), ""]
         elif role in {"n", "k", "R", "ε1", "ε2"} and isinstance(rows, dict):
             axis = next((one for one in rows if column_of(str(one)).is_axis and _is_numbers(rows[one])), None)
-            other = next((one for one in rows if one != axis and _is_numbers(rows[one]) and axis and len(rows[one]) == len(rows[axis])), None)
+            other = next(
+                (
+                    one
+                    for one in rows
+                    if one != axis and _is_numbers(rows[one]) and axis and len(rows[one]) == len(rows[axis])
+                ),
+                None,
+            )
             if other is not None:
-                found += ["\t".join((_heading(axis, {**units, **{str(k).lower(): v for k, v in rows.items() if isinstance(v, str)}}), str(key))),
-                          *_lines(zip(rows[axis], rows[other])), ""]
+                found += [
+                    "\t".join(
+                        (
+                            _heading(
+                                axis, {**units, **{str(k).lower(): v for k, v in rows.items() if isinstance(v, str)}}
+                            ),
+                            str(key),
+                        )
+                    ),
+                    *_lines(zip(rows[axis], rows[other])),
+                    "",
+                ]
     return found or None
 
 
@@ -165,10 +211,17 @@ def _of_mapping(value):
 def _of_records(rows, units):
     """Lines of [{"wavelength": 400, "n": 1.5} …]."""
     keys = [key for key, one in rows[0].items() if isinstance(one, (int, float)) and not isinstance(one, bool)]
-    if len(rows) < 2 or len(keys) < 2 or not any(column_of(str(key)).is_axis for key in keys) or len(rows) * len(keys) > MOST_VALUES:
+    if (
+        len(rows) < 2
+        or len(keys) < 2
+        or not any(column_of(str(key)).is_axis for key in keys)
+        or len(rows) * len(keys) > MOST_VALUES
+    ):
         return None
     table = [[row.get(key) for key in keys] for row in rows]
-    if not all(one is None or isinstance(one, (int, float)) and not isinstance(one, bool) for row in table for one in row):
+    if not all(
+        one is None or isinstance(one, (int, float)) and not isinstance(one, bool) for row in table for one in row
+    ):
         return None
     return ["\t".join(_heading(key, units) for key in keys), *_lines(table)]
 
@@ -187,7 +240,9 @@ def _of_rows(rows, units):
 def is_html(text):
     """Whether there are rows of an HTML table."""
     content = text.content
-    return "<" in content and bool(re.search(r"<tr\b", content, re.IGNORECASE) and re.search(r"<td\b", content, re.IGNORECASE))
+    return "<" in content and bool(
+        re.search(r"<tr\b", content, re.IGNORECASE) and re.search(r"<td\b", content, re.IGNORECASE)
+    )
 
 
 def read_html(text):
@@ -213,7 +268,9 @@ def is_cgats(text):
     return "BEGIN_DATA" in content and "BEGIN_DATA_FORMAT" in content
 
 
-WAVELENGTH_FIELD = re.compile(r"(?:SPEC|SPECTRAL|NM|R|SPECTRAL_NM|SPECTRAL_|LAMBDA)[_ ]*(?:NM)?_?(\d{3,4}(?:\.\d+)?)(?:NM)?", re.IGNORECASE)
+WAVELENGTH_FIELD = re.compile(
+    r"(?:SPEC|SPECTRAL|NM|R|SPECTRAL_NM|SPECTRAL_|LAMBDA)[_ ]*(?:NM)?_?(\d{3,4}(?:\.\d+)?)(?:NM)?", re.IGNORECASE
+)
 
 
 def read_cgats(text):
@@ -230,18 +287,26 @@ def read_cgats(text):
     content = text.content
     fields = _between(content, "BEGIN_DATA_FORMAT", "END_DATA_FORMAT").split()
     body = re.split(r"^\s*BEGIN_DATA\s*$", content, maxsplit=1, flags=re.MULTILINE)
-    rows = [_words(line) for line in (body[1].partition("END_DATA")[0] if len(body) > 1 else "").splitlines() if line.strip()]
+    rows = [
+        _words(line)
+        for line in (body[1].partition("END_DATA")[0] if len(body) > 1 else "").splitlines()
+        if line.strip()
+    ]
     places = {at: float(match[1]) for at, field in enumerate(fields) if (match := WAVELENGTH_FIELD.fullmatch(field))}
     if len(places) < 2:
         text.refuse(None, "is CGATS without spectra: no field names a wavelength", "fields such as SPEC_400")
     words = [word for row in rows for word in row]
     if fields and len(words) % len(fields) == 0 and any(len(row) != len(fields) for row in rows):
-        rows = [words[at:at + len(fields)] for at in range(0, len(words), len(fields))]
+        rows = [words[at : at + len(fields)] for at in range(0, len(words), len(fields))]
     sets = {}
     for at, row in enumerate(rows):
         if len(row) != len(fields):
             text.refuse(None, f"set {at + 1} has {len(row)} cells", f"{len(fields)}, as its fields")
-        labels = [row[place] for place, field in enumerate(fields) if field.upper() in {"SAMPLE_NAME", "SAMPLE_ID", "SAMPLEID", "SAMPLE_LOC", "NAME"}]
+        labels = [
+            row[place]
+            for place, field in enumerate(fields)
+            if field.upper() in {"SAMPLE_NAME", "SAMPLE_ID", "SAMPLEID", "SAMPLE_LOC", "NAME"}
+        ]
         name = labels[-1] if labels else str(at + 1)
         sets.setdefault(name if name not in sets else f"{name} ({at + 1})", row)
     if not sets:
@@ -272,13 +337,21 @@ def _words(line):
 
 
 PBRT = re.compile(r'"(?:spectrum|float)\s+(?:\w+\.)?(eta|k)"\s*(?:\[\s*([^\]]*?)\s*\]|("[^"]*"))')
-MITSUBA = re.compile(r'<spectrum\b[^>]*?\bname\s*=\s*"(?:\w*_)?(eta|k|reflectance|specular_reflectance)"[^>]*?\b(value|filename)\s*=\s*"([^"]*)"', re.IGNORECASE)
+MITSUBA = re.compile(
+    r'<spectrum\b[^>]*?\bname\s*=\s*"(?:\w*_)?(eta|k|reflectance|specular_reflectance)"[^>]*?\b(value|filename)\s*=\s*"([^"]*)"',
+    re.IGNORECASE,
+)
 
 
 def is_scene(text):
     """Whether it has a spectrum as scenes of pbrt or Mitsuba do."""
     content = text.content
-    return '"spectrum ' in content and bool(PBRT.search(content)) or "<spectrum" in content and bool(MITSUBA.search(content))
+    return (
+        '"spectrum ' in content
+        and bool(PBRT.search(content))
+        or "<spectrum" in content
+        and bool(MITSUBA.search(content))
+    )
 
 
 def read_scene(text):
@@ -291,18 +364,28 @@ def read_scene(text):
     """
     lines, seen = [], set()
     found = [(match[1].lower(), match[2] or match[3] or "") for match in PBRT.finditer(text.content)]
-    found += [(match[1].lower(), match[3] if match[2].lower() == "value" else f'"{match[3]}"') for match in MITSUBA.finditer(text.content)]
+    found += [
+        (match[1].lower(), match[3] if match[2].lower() == "value" else f'"{match[3]}"')
+        for match in MITSUBA.finditer(text.content)
+    ]
     for name, content in found:
         if content.startswith('"'):
-            text.refuse(None, f"{name} is the spectrum named {content[:60]}, and not in this file", "its numbers, or that file itself")
+            text.refuse(
+                None,
+                f"{name} is the spectrum named {content[:60]}, and not in this file",
+                "its numbers, or that file itself",
+            )
         numbers = [word for word in re.split(r"[\s,:]+", content.strip()) if word]
         if len(numbers) < 4 or len(numbers) % 2 or not all(NUMBER.fullmatch(word) for word in numbers):
             text.refuse(None, f"{name} is no row of wavelengths and values", "wavelength and value by turns")
         if name in seen:
             text.refuse(None, f"{name} comes a second time", "one material")
         seen.add(name)
-        lines += [f"wavelength\t{'R' if 'reflectance' in name else name}",
-                  *(f"{w}\t{v}" for w, v in zip(numbers[::2], numbers[1::2])), ""]
+        lines += [
+            f"wavelength\t{'R' if 'reflectance' in name else name}",
+            *(f"{w}\t{v}" for w, v in zip(numbers[::2], numbers[1::2])),
+            "",
+        ]
     series = _as_text(text, lines)
     if seen == {"eta"} or seen == {"k"}:
         text.refuse(None, f"has {seen.pop()} alone, half of a pair", "eta and k")

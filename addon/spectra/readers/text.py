@@ -15,8 +15,12 @@ MOST_LINES = 100_000
 """A spectrum has hundreds; so many are read in about a second."""
 
 BYTE_ORDER_MARKS = (
-    (codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF32_LE, "utf-32"), (codecs.BOM_UTF32_BE, "utf-32"),
-    (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
 NOT_TEXT = re.compile(r"[\x00-\x08\x0e-\x1f\x7f\ud800-\udfff]")
 END_OF_FILE = "\x1a"
 """With which files of DOS end: those of the SOPRA collection are as old."""
@@ -55,22 +59,26 @@ class Text:
     def __init__(self, name, content, path=None, choose=()):
         self.name = _one_line(name) or "text"
         self.path = path
-        self.choose = tuple(str(one).strip().lower() for one in ((choose,) if isinstance(choose, str) else choose or ()))
+        self.choose = tuple(
+            str(one).strip().lower() for one in ((choose,) if isinstance(choose, str) else choose or ())
+        )
         self.assumed = []
         if not isinstance(content, str):
             self.refuse(None, "is no text", "lines of numbers")
         if len(content) > LARGEST_BYTES:
-            self.refuse(None, f"has {len(content) / 1e6:.1f} MB and is too large to be a spectrum",
-                        f"at most {LARGEST_BYTES / 1e6:g} MB")
+            self.refuse(
+                None,
+                f"has {len(content) / 1e6:.1f} MB and is too large to be a spectrum",
+                f"at most {LARGEST_BYTES / 1e6:g} MB",
+            )
         content = content.removeprefix("\ufeff").rstrip(END_OF_FILE)
         self.lines = re.split(r"\r\n|\r|\n", content)
         strange = NOT_TEXT.search(content)
         if strange:
-            line = len(re.split(r"\r\n|\r|\n", content[:strange.start()]))
+            line = len(re.split(r"\r\n|\r|\n", content[: strange.start()]))
             self.refuse(line, "is binary", "a text file such as CSV")
         if len(self.lines) > MOST_LINES:
-            self.refuse(None, f"has {len(self.lines)} lines, too many for a spectrum",
-                        f"at most {MOST_LINES}")
+            self.refuse(None, f"has {len(self.lines)} lines, too many for a spectrum", f"at most {MOST_LINES}")
         if not content.strip():
             self.refuse(None, "is empty", "lines of wavelength, n, k")
         longest = max(range(len(self.lines)), key=lambda at: len(self.lines[at]))
@@ -122,7 +130,7 @@ class Text:
 
 
 def text_of_file(path, choose=()):
-    """The Text in a file: UTF-8, UTF-16 or UTF-32 with a byte order mark, an encoding that makes sense of it, or Latin-1.
+    """The Text in a file: UTF-8, UTF-16 or UTF-32 with a byte order mark, an older encoding, or Latin-1.
 
     Raises FacetFilmError for a file that cannot be read or is longer than LARGEST_BYTES.
     """
@@ -135,9 +143,11 @@ def text_of_file(path, choose=()):
         if not stat.S_ISREG(found.st_mode):
             raise FacetFilmError(f"{name}: is a device, not a file; expected a file of measurements.")
         if found.st_size > LARGEST_BYTES:
-            raise FacetFilmError(f"{name}: has {found.st_size / 1e6:.1f} MB and is too large "
-                                 "to be a spectrum; "
-                                 f"expected at most {LARGEST_BYTES / 1e6:g} MB.")
+            raise FacetFilmError(
+                f"{name}: has {found.st_size / 1e6:.1f} MB and is too large "
+                "to be a spectrum; "
+                f"expected at most {LARGEST_BYTES / 1e6:g} MB."
+            )
         with open(path, "rb") as file:
             content = file.read(LARGEST_BYTES + 1)
     except OSError as error:
@@ -156,18 +166,22 @@ def _decoded(name, content):
             try:
                 return content.decode(encoding)
             except UnicodeDecodeError:
-                raise FacetFilmError(f"{name}: is damaged, or not the {encoding} text that its first bytes "
-                                     "announce; expected UTF-8 text.") from None
+                raise FacetFilmError(
+                    f"{name}: is damaged, or not the {encoding} text that its first bytes "
+                    "announce; expected UTF-8 text."
+                ) from None
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError:
-        return content.decode(next((encoding for encoding in OLD_ENCODINGS if _makes_sense(content, encoding)), "latin-1"),
-                              "replace")
+        return content.decode(
+            next((encoding for encoding in OLD_ENCODINGS if _makes_sense(content, encoding)), "latin-1"), "replace"
+        )
 
 
 def _makes_sense(content, encoding):
     """Whether bytes in an encoding have a word of the headings that they lack as plain letters."""
     from .headings import names_beyond_ascii
+
     try:
         sample = content[:SAMPLE].decode(encoding, "strict" if len(content) <= SAMPLE else "ignore")
     except UnicodeDecodeError:
@@ -188,8 +202,11 @@ def number_of(text, line, word, what, decimal_comma=False):
     """
     if decimal_comma:
         if "." in word:
-            text.refuse(line, f"{shown(word)} has a decimal point where other numbers have a decimal comma",
-                        "the same in all numbers")
+            text.refuse(
+                line,
+                f"{shown(word)} has a decimal point where other numbers have a decimal comma",
+                "the same in all numbers",
+            )
         plain = word.replace(",", ".", 1)
     else:
         plain = word

@@ -4,7 +4,7 @@ One more unit is one more line in AXIS_UNITS.
 """
 
 import dataclasses
-from typing import Callable
+from collections.abc import Callable
 
 import numpy as np
 
@@ -41,8 +41,8 @@ class AxisUnit:
 
 AXIS_UNITS = {
     "nm": AxisUnit("wavelength", lambda w: w, (
-        "nm", "nanometer", "nanometers", "nanometre", "nanometres", "nanomètre", "nanomètres", "nanómetros", "нм", "纳米",
-        "ナノメートル"), True),
+        "nm", "nanometer", "nanometers", "nanometre", "nanometres", "nanomètre", "nanomètres", "nanómetros", "нм",
+        "纳米", "ナノメートル"), True),
     "µm": AxisUnit("wavelength", lambda w: np.round(w * 1e3, 9), (
         "μm", "um", "mkm", "âμm", "âµm", "micron", "microns", "mum", "micrometer", "micrometers", "micrometre",
         "micrometres", "mikrometer", "мкм", "微米", "\\mum", "$\\mu$m"), True),
@@ -50,8 +50,8 @@ AXIS_UNITS = {
         "å", "a", "ang", "angs", "angstrom", "angstroms", "ångström", "ångstrom", "angström", "埃"), True),
     "m": AxisUnit("wavelength", lambda w: np.round(w * 1e9, 9), ("m", "meter", "metre", "meters", "metres"), True),
     "mm": AxisUnit("wavelength", lambda w: np.round(w * 1e6, 9), ("mm", "millimeter", "millimetre")),
-    "eV": AxisUnit("energy", lambda e: EV_NM / e, ("ev", "electronvolt", "electronvolts", "electron volt", "эв", "电子伏特"),
-                   True),
+    "eV": AxisUnit("energy", lambda e: EV_NM / e, (
+        "ev", "electronvolt", "electronvolts", "electron volt", "эв", "电子伏特"), True),
     "meV": AxisUnit("energy", lambda e: 1e3 * EV_NM / e, ("mev",)),
     "J": AxisUnit("energy", lambda e: EV_NM * 1.602176634e-19 / e, ("j", "joule", "joules")),
     "1/cm": AxisUnit("wavenumber", lambda v: 1e7 / v, (

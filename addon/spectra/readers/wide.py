@@ -12,13 +12,19 @@ __all__ = ["table_of_rows"]
 
 LEAST_WAVELENGTHS = 5
 """Cells of a row that are numbers over a good part of the visible: fewer are a row of a table that stands."""
-WITH_LETTERS = re.compile(r"(?P<before>[A-Za-z%_ ]*?)[\s_(]*(?P<number>\d+(?:[.,]\d+)?)\s*\)?\s*(?P<unit>nm|um|µm|μm)?", re.IGNORECASE)
+WITH_LETTERS = re.compile(
+    r"(?P<before>[A-Za-z%_ ]*?)[\s_(]*(?P<number>\d+(?:[.,]\d+)?)\s*\)?\s*(?P<unit>nm|um|µm|μm)?", re.IGNORECASE
+)
 
 
 def table_of_rows(text):
     """The Table of a Text whose rows are spectra, or None."""
     lines = [(number, line.strip("\r\n \ufeff")) for number, line in enumerate(text.lines[:400], 1) if line.strip()]
-    lines = [(number, line) for number, line in lines if not line.startswith(("%", "!", "//")) and not line.lower().startswith("sep=")]
+    lines = [
+        (number, line)
+        for number, line in lines
+        if not line.startswith(("%", "!", "//")) and not line.lower().startswith("sep=")
+    ]
     for place, (number, line) in enumerate(lines[:60]):
         for separator in ("\t", ";", ",", None):
             if separator is not None and separator not in line:
@@ -28,7 +34,7 @@ def table_of_rows(text):
                 continue
             axis = _axis_of(head)
             if axis is not None:
-                table = _table(text, number, lines[place + 1:], separator, *axis)
+                table = _table(text, number, lines[place + 1 :], separator, *axis)
                 if table is not None:
                     return table
             break
@@ -69,10 +75,10 @@ def _table(text, number, below, separator, start, values, unit, lettered):
     series = []
     for line_number, line in below:
         cells = [cell.strip().strip("\"'") for cell in (line.split(separator) if separator else line.split())]
-        data = cells[start:start + values.size]
+        data = cells[start : start + values.size]
         label = " ".join(cell for cell in cells[:start] if cell)
         if separator is None and len(cells) != start + values.size and len(cells) > values.size:
-            data, label = cells[-values.size:], " ".join(cells[:-values.size])
+            data, label = cells[-values.size :], " ".join(cells[: -values.size])
         if len(data) != values.size:
             if series:
                 break
@@ -85,7 +91,11 @@ def _table(text, number, below, separator, start, values, unit, lettered):
                 break
             return None
         series.append((line_number, label, row))
-    if not series or not lettered and not (len(series) <= 2 and start == 0 or all(label and not _is_number(label) for _, label, _ in series)):
+    if (
+        not series
+        or not lettered
+        and not (len(series) <= 2 and start == 0 or all(label and not _is_number(label) for _, label, _ in series))
+    ):
         return None
     columns = [Column(units.AXIS_UNITS[unit].kind, unit, "wavelength")]
     for at, (_, label, _) in enumerate(series):
