@@ -101,7 +101,7 @@ def test_white_is_white_in_every_space():
     assert np.allclose(lab(np.ones(3), "ACEScg"), [100.0, 0.0, 0.0], atol=1e-9)
 
 
-@pytest.mark.parametrize("options", [{"space": "sRGB"}, {"illuminant": "D66"}, {"observer": "1965"},
+@pytest.mark.parametrize("options", [{"space": "P3"}, {"illuminant": "D66"}, {"observer": "1965"},
                                      {"gamut": "cut"}, {"formula": "blender"}])
 def test_unknown_choices_are_clear_errors(options):
     (name, value), = options.items()
@@ -139,3 +139,51 @@ def test_a_preset_brings_the_parameters_of_its_material():
     assert np.allclose(plastic.n, bake("vinyl").conductor.n, rtol=1e-12, atol=0.0)
     metal = made(preset="copper", viewing={"space": "ACEScg"}).parameters
     assert np.allclose(metal.diffuse, bake("copper", space="ACEScg").normal_rgb)
+
+
+@pytest.mark.parametrize("options, canonical", [
+    ({"space": "rec709"}, "Rec.709"), ({"space": "sRGB"}, "Rec.709"), ({"space": "Linear Rec.709"}, "Rec.709"),
+    ({"space": "acescg"}, "ACEScg"), ({"space": "AP1"}, "ACEScg"), ({"space": "BT.2020"}, "Rec.2020"),
+    ({"observer": 2}, "1931"), ({"observer": "10°"}, "1964"), ({"illuminant": "TL84"}, "F11"),
+    ({"illuminant": "CWF"}, "F2"),
+    ({"illuminant": "Illuminant A"}, "A"), ({"illuminant": "led-b3"}, "LED-B3")])
+def test_spaces_observers_and_illuminants_as_people_write_them(options, canonical):
+    (name, _), = options.items()
+    assert getattr(bake("copper", **options), name) == canonical
+
+
+@pytest.mark.parametrize("space, nearest", [
+    ("P3", "Rec.2020"), ("Display P3", "Rec.2020"), ("ACES2065-1", "ACEScg"), ("AP0", "ACEScg")])
+def test_a_space_that_is_not_there_is_answered_with_the_nearest(space, nearest):
+    with pytest.raises(FacetFilmError, match=f"did you mean '{nearest}'"):
+        bake("copper", space=space)
+
+
+def test_gold_in_water_and_under_lacquer():
+    """In air it is 1.038 .728 .365; worked out apart: |(n + ik - m)/(n + ik + m)|² at every nm."""
+    in_water = (1.031, 0.687, 0.285)
+    for medium, f0 in ((1.333, in_water), ("main/H2O/Hale", in_water), (1.5, (1.027, 0.673, 0.260))):
+        baked = bake("main/Au/Johnson", medium=medium)
+        assert np.allclose(baked.f0, f0, atol=1.5e-3) and baked.medium == medium
+    assert bake("main/Au/Johnson", medium="air").f0 == bake("main/Au/Johnson").f0
+    glass = optical_constants.OpticalConstants([400.0, 700.0], [1.5, 1.5], [0.0, 0.0], "glass")
+    assert np.allclose(bake(glass, medium=1.5).f0, 0.0, atol=1e-9)
+    assert np.allclose(bake(glass, medium=1.333).f0, ((1.5 - 1.333) / (1.5 + 1.333)) ** 2, atol=1e-6)
+    air = optical_constants.OpticalConstants([400.0, 700.0], [1.0, 1.0], [0.0, 0.0], "air")
+    bubble = bake(air, medium=1.333, gamut="leave")
+    assert np.allclose(bubble.fresnel.rgb[0], 1.0, atol=1e-3)
+    assert np.allclose(bubble.f0, (0.333 / 2.333) ** 2, atol=1e-5)
+
+
+@pytest.mark.parametrize("medium, says", [
+    ("gold", "absorbs light"), ("main/Au/Johnson", "absorbs light"), (0.5, "from 1 to 4"), (True, "from 1 to 4"),
+    (float("nan"), "from 1 to 4"), ("xyzzy", "unknown")])
+def test_a_medium_that_cannot_be_outside_is_refused_in_a_sentence(medium, says):
+    with pytest.raises(FacetFilmError, match=says):
+        bake("copper", medium=medium)
+
+
+def test_a_reflectance_alone_says_nothing_of_another_medium():
+    mirror = optical_constants.from_normal_reflectance([400.0, 700.0], [0.9, 0.9], "mirror", title="Mirror")
+    with pytest.raises(FacetFilmError, match="Mirror is known by its reflectance in air alone"):
+        bake(mirror, medium=1.333)

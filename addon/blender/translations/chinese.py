@@ -403,6 +403,8 @@ TEXTS = {
         "库 {:s} 已不在偏好设置中",
     "The measured points: wavelength_nm, n, k":
         "测量点：wavelength_nm, n, k",
+    "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
+        "外部介质须为 1 到 4 之间的数，或透明材料，例如 1.33 或 'water'，而不是 {value!r}。",
     "The preset to rename":
         "要重命名的预设",
     "The preset {file!r} cannot be read.":
@@ -633,18 +635,26 @@ TEXTS = {
         "{file!r} 正在写入；若并非如此，请删除 {aside!r}。",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} 受保护或不是普通文件；请另指定一个。",
+    "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
+        "{material} 会吸收光，不能作为外部介质；请给出透明的介质，例如 'water'，或其折射率，例如 1.33。",
     "{material} has no Principled BSDF that comes close: name a measured preset.":
         "{material} 没有相近的原理化 BSDF：请指定一个测量预设。",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} 不含测量数据：请先烘焙一个测量预设。",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
         "{material} 是库重写，其节点与槽属于另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{material} is known by its reflectance in air alone: none in another medium follows; take data of n and k.":
+        "{material} 只有在空气中的反射率：无法由此得出在其他介质中的反射率；请使用 n 和 k 的数据。",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
+    "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
+        "{name} {value!r} 不是颜色：线性数值最大为 {most}，255 以内的整数为 sRGB。",
+    "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
+        "{name} {value!r} 不是颜色；请给出三个数，或类似 '#ffd98b' 的值。",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "未知{name} {value!r}；有效值：{valid}。",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":

@@ -403,6 +403,8 @@ TEXTS = {
         "Die Bibliothek {:s} steht nicht mehr in den Einstellungen",
     "The measured points: wavelength_nm, n, k":
         "Die gemessenen Punkte: wavelength_nm, n, k",
+    "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
+        "Das Medium außen ist eine Zahl von 1 bis 4 oder ein klares Material, etwa 1.33 oder 'water', nicht {value!r}.",
     "The preset to rename":
         "Die umzubenennende Voreinstellung",
     "The preset {file!r} cannot be read.":
@@ -633,18 +635,26 @@ TEXTS = {
         "{file!r} wird schon geschrieben; wenn nicht, {aside!r} entfernen.",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
+    "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
+        "{material} absorbiert Licht und kann nicht das Medium außen sein; ein klares nennen, etwa 'water', oder dessen Brechzahl, etwa 1.33.",
     "{material} has no Principled BSDF that comes close: name a measured preset.":
         "{material} hat keinen Principled BSDF, der nahe kommt: eine gemessene Voreinstellung nennen.",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} enthält keine Messung: erst eine gemessene Voreinstellung backen.",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
         "{material} ist eine Bibliotheksüberschreibung, deren Nodes und Slots einer anderen Datei gehören: erst lokal machen (Objekt, Relationen, Lokal machen)",
+    "{material} is known by its reflectance in air alone: none in another medium follows; take data of n and k.":
+        "Von {material} ist nur die Reflexion in Luft bekannt: Für ein anderes Medium folgt daraus keine; Daten mit n und k nehmen.",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
+    "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
+        "{name} {value!r} ist keine Farbe: Lineare Zahlen gehen bis {most}, ganze bis 255 sind sRGB.",
+    "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
+        "{name} {value!r} ist keine Farbe; drei Zahlen angeben, oder eine wie '#ffd98b'.",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "{name} {value!r} ist unbekannt; gültig: {valid}.",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
