@@ -11,7 +11,7 @@ from ..reflectance import fresnel
 from .colour import lab
 from .curve import knots
 from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_of
-from .gamut import GamutReport
+from .gamut import DEFAULT, GamutReport
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
 
 __all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "plain", "bake_with_index", "FORMULAS"]
@@ -105,7 +105,7 @@ class Bake(NamedTuple):
         return plain(self)
 
 
-def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut="desaturate",
+def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut=DEFAULT,
          formula="exact", from_normal_reflectance=False, medium=1.0):
     """Bake a material: F(λ,θ) to linear RGB at every angle, and per channel the closest parameters.
 

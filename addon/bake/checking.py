@@ -12,6 +12,7 @@ from ..spectra import names, optical_constants
 from .baking import CURVE_TOLERANCE, FORMULAS, FresnelCurve, plain
 from .colour import delta_e_2000, lab, rgb_to_xyz
 from .curve import knots
+from .gamut import DEFAULT
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
 
 __all__ = ["Check", "check", "colour_given", "Measurement", "Spread", "spread"]
@@ -56,7 +57,7 @@ class Check:
 
 
 def check(against, *, n=None, k=None, f0=None, tint=None, preset=None, formula="exact",
-          illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut="desaturate", medium=1.0):
+          illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut=DEFAULT, medium=1.0):
     """The Check of n and k, of F0 and F82 tint, or of a material, against a measured material.
 
     against  what names a material: see addon.catalogue.resolving

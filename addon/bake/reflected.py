@@ -12,7 +12,7 @@ from ..errors import FacetFilmError, choice
 from ..reflectance import fresnel
 from ..spectra import illuminants, observers, optical_constants
 from .colour import canonical_space, spectral_weights
-from .gamut import METHODS, GamutReport, map_colours
+from .gamut import DEFAULT, METHODS, GamutReport, map_colours
 
 __all__ = [
     "Viewing", "Reflected", "reflect", "mirror_spectra", "index_of_medium", "COS_THETA", "ANGLES", "AT_NORMAL", "AT_82",
@@ -43,7 +43,7 @@ class Viewing:
                 a perfect reflector in D65 in each, as in Blender
     adapt       whether the eye is adapted to the illuminant, so that a perfect
                 reflector is neutral in any light
-    gamut       what to do with colours outside [0, 1]: "desaturate", "scale", "clip", "leave"
+    gamut       what to do with colours outside [0, 1]: "nearest", "desaturate", "scale", "clip", "leave"
     medium      what the surface is in: its index, or a clear material; 1 is air
 
     Raises FacetFilmError for anything unknown, with the nearest names.
@@ -56,7 +56,7 @@ class Viewing:
     observer: str = "1931"
     space: str = "Rec.709"
     adapt: bool = False
-    gamut: str = "desaturate"
+    gamut: str = DEFAULT
     medium: object = 1.0
 
     def __post_init__(self):

@@ -22,7 +22,8 @@ SPACE_ITEMS = (
     ("ACEScg", "ACEScg", "ACEScg"),
 )
 GAMUT_ITEMS = (
-    ("desaturate", "Desaturate", "Towards grey of the same luminance, until inside: the hue stays"),
+    ("nearest", "Nearest", "The colour inside that looks most alike, by CIEDE2000"),
+    ("desaturate", "Desaturate", "Towards grey of the same luminance, until inside: the 1982 paper's way"),
     ("scale", "Scale", "Darken all colours of the material alike, until the largest channel fits"),
     ("clip", "Clip", "Cut every channel off at 0 and 1"),
     ("leave", "Leave", "Keep colours outside of the gamut"),

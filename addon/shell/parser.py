@@ -98,8 +98,8 @@ def _add_viewing_options(command, gamut=True):
     command.add_argument("--space", default="Rec.709", metavar="NAME", help="Rec.709, Rec.2020 or ACEScg")
     command.add_argument("--adapt", action="store_true", help="adapt the eye to the illuminant (Bradford)")
     if gamut:
-        command.add_argument("--gamut", default="desaturate", metavar="METHOD",
-                             help="for colours outside: desaturate, scale, clip or leave")
+        command.add_argument("--gamut", default=argparse.SUPPRESS, metavar="METHOD",
+                             help="for colours outside: nearest, unless told otherwise; desaturate, scale, clip, leave")
 
 
 def _add_formula_option(command):

@@ -7,7 +7,8 @@ import pytest
 from addon.bake import bake
 from addon.bake.colour import delta_e_2000, lab, rgb_to_xyz
 from addon.bake.curve import knots
-from addon.bake.gamut import map_colours
+from addon.bake.gamut import METHODS, map_colours
+from addon.bake.reflected import COMPARED, Viewing, reflect
 from addon.errors import FacetFilmError
 from addon.models.making import made
 from addon.reflectance import fresnel
@@ -57,7 +58,7 @@ def test_the_copper_fit_looks_like_copper():
 
 def test_gold_is_out_of_rec_709_and_says_so():
     baked = bake("gold")
-    assert baked.gamut.outside and baked.gamut.method == "desaturate" and baked.gamut.largest_change > 0.05
+    assert baked.gamut.outside and baked.gamut.method == "nearest" and baked.gamut.largest_change > 0.05
     assert max(baked.f0) > 1.0
     assert np.max(baked.fresnel.rgb) <= 1.0 and max(baked.normal_rgb) <= 1.0
     wide = bake("gold", space="Rec.2020")
@@ -66,7 +67,7 @@ def test_gold_is_out_of_rec_709_and_says_so():
 
 def test_desaturation_keeps_luminance_and_dominant_wavelength():
     rgb = np.array([[1.2, 0.6, 0.1], [0.5, -0.1, 0.3], [0.2, 0.3, 0.4]])
-    mapped, report = map_colours(rgb)
+    mapped, report = map_colours(rgb, "desaturate")
     luminance = rgb_to_xyz("Rec.709")[1]
     assert np.allclose(mapped @ luminance, rgb @ luminance)
     neutral = (rgb @ luminance)[:, None]
@@ -74,6 +75,36 @@ def test_desaturation_keeps_luminance_and_dominant_wavelength():
         assert np.allclose(np.cross(before, after), 0.0, atol=1e-12) and before @ after > 0.0
     assert np.allclose(mapped[2], rgb[2]) and report.outside
     assert mapped.min() >= 0.0 and mapped.max() <= 1.0
+
+
+@pytest.mark.parametrize("space", ["Rec.709", "ACEScg"])
+def test_nearest_is_the_colour_inside_that_looks_most_alike(space):
+    """Against a search over the faces of the cube, for colours as far outside as measured metals and films are."""
+    rng = np.random.default_rng(3)
+    rgb = np.array([[1.059, 0.773, 0.307], [1.1, 0.6, -0.02], [0.5, -0.03, 0.3], [1.05, 1.02, 0.9], [-0.02, 0.3, 1.02],
+                    [0.2, 0.3, 0.4]])
+    mapped, report = map_colours(rgb, "nearest", space)
+    assert report.outside and mapped.min() >= 0.0 and mapped.max() <= 1.0
+    assert np.array_equal(mapped[-1], rgb[-1])
+    found = delta_e_2000(lab(mapped, space), lab(rgb, space))
+    near = np.clip(mapped[:, None] + rng.normal(0.0, 0.02, (6, 20000, 3)), 0.0, 1.0)
+    best = delta_e_2000(lab(near, space), lab(rgb, space)[:, None]).min(axis=1)
+    assert np.all(found <= 1.02 * best + 0.02), (found, best)
+
+
+def test_gold_looks_more_alike_by_nearest_than_by_any_other_method():
+    exact = reflect("gold", Viewing(gamut="leave"))
+    target = lab(exact.mapped, "Rec.709")
+
+    def mean(method):
+        mapped = reflect("gold", Viewing(gamut=method)).mapped
+        return delta_e_2000(lab(mapped, "Rec.709"), target)[COMPARED].mean()
+    assert mean("nearest") < 0.4 < 0.6 < mean("clip") < mean("scale") < mean("desaturate")
+
+
+def test_a_material_inside_the_gamut_is_the_same_by_every_method():
+    for method in METHODS:
+        assert np.allclose(reflect("copper", Viewing(gamut=method)).mapped, reflect("copper").mapped, atol=3e-4)
 
 
 def test_knots_are_enough_and_not_too_many():
