@@ -244,7 +244,7 @@ def _only_the_last_is_axis(real):
     lengths = (
         [unit for unit in units.fitting(last) if unit in {"nm", "µm"}] if orderly and np.nanmin(last) > 0.0 else []
     )
-    return bool(lengths) and not _is_axis(first) and np.nanmax(first) < 20.0 and np.isfinite(first).all()
+    return bool(lengths) and np.isfinite(first).all() and not _is_axis(first) and first.max() < 20.0
 
 
 def _is_reflectance_of(real):

@@ -91,8 +91,8 @@ def _glasses(text):
         words = line.split()
         if words[0] == "NM":
             name = words[1] if len(words) > 1 else f"line {number}"
-            while name in glasses:
-                name += "'"
+            if name in glasses:
+                name = f"{name} (line {number})"
             entry = glasses[name] = {}
         if entry is not None:
             entry.setdefault(words[0], []).append((number, words[1:]))

@@ -172,7 +172,8 @@ def _n_and_absorption(text, roles, alone):
 def _k_of_transmittance(text, n, series, thickness):
     """k of a plate's transmittance: T = (1 − R)²·τ/(1 − R²τ²), τ = exp(−4πkd/λ); internal T is τ itself."""
     length = float(thickness[1].replace(",", ".")) * NM_OF_LENGTH[thickness[2].lower()]
-    t = series.values.real / (100.0 if series.unit == "%" or np.nanmax(series.values.real) > 2.0 else 1.0)
+    percent = series.unit == "%" or np.nanmax(series.values.real, initial=0.0) > LEAST_PERCENT
+    t = series.values.real / (100.0 if percent else 1.0)
     tau = t
     if "internal" not in series.name.lower() and "τ" not in series.name:
         order = np.argsort(n.wavelength_nm)

@@ -160,7 +160,7 @@ def _content(text):
 def _without_brackets(line):
     """A line of numbers without the brackets of a list that stand around all of it."""
     if line[0] in "[(" or line.rstrip(",; ")[-1:] in ("]", ")"):
-        inner = BRACKETED.fullmatch(line)
+        inner = BRACKETED.fullmatch(line) if len(line) <= LONGEST else None
         if (
             inner
             and inner[1].count("(") == inner[1].count(")")

@@ -337,21 +337,26 @@ def _words(line):
 
 
 PBRT = re.compile(r'"(?:spectrum|float)\s+(?:\w+\.)?(eta|k)"\s*(?:\[\s*([^\]]*?)\s*\]|("[^"]*"))')
-MITSUBA = re.compile(
-    r'<spectrum\b[^>]*?\bname\s*=\s*"(?:\w*_)?(eta|k|reflectance|specular_reflectance)"[^>]*?\b(value|filename)\s*=\s*"([^"]*)"',
-    re.IGNORECASE,
-)
+MITSUBA = re.compile(r"<spectrum\b([^<>]*)>", re.IGNORECASE)
+ATTRIBUTE = re.compile(r'\b(name|value|filename)\s*=\s*"([^"]*)"', re.IGNORECASE)
+NAMES = {"eta": "eta", "int_eta": "eta", "k": "k", "reflectance": "reflectance", "specular_reflectance": "reflectance"}
+"""What a scene calls a spectrum -> what is read of it."""
+
+
+def _mitsuba(content):
+    """(name, its numbers as text, or in quotes the name of what holds them) of the spectra of a scene of Mitsuba."""
+    for tag in MITSUBA.finditer(content):
+        said = {key.lower(): value for key, value in ATTRIBUTE.findall(tag[1])}
+        name = NAMES.get(said.get("name", "").lower())
+        if name and ("value" in said or "filename" in said):
+            yield name, said["value"] if "value" in said else f'"{said["filename"]}"'
 
 
 def is_scene(text):
     """Whether it has a spectrum as scenes of pbrt or Mitsuba do."""
     content = text.content
-    return (
-        '"spectrum ' in content
-        and bool(PBRT.search(content))
-        or "<spectrum" in content
-        and bool(MITSUBA.search(content))
-    )
+    pbrt = '"spectrum ' in content and PBRT.search(content)
+    return bool(pbrt) or "<spectrum" in content and any(True for _ in _mitsuba(content))
 
 
 def read_scene(text):
@@ -364,10 +369,7 @@ def read_scene(text):
     """
     lines, seen = [], set()
     found = [(match[1].lower(), match[2] or match[3] or "") for match in PBRT.finditer(text.content)]
-    found += [
-        (match[1].lower(), match[3] if match[2].lower() == "value" else f'"{match[3]}"')
-        for match in MITSUBA.finditer(text.content)
-    ]
+    found += _mitsuba(text.content)
     for name, content in found:
         if content.startswith('"'):
             text.refuse(

@@ -47,7 +47,7 @@ def _axis_of(head):
     start = 0
     unit, lettered = "", False
     for at, cell in enumerate(head):
-        match = WITH_LETTERS.fullmatch(cell) if cell else None
+        match = WITH_LETTERS.fullmatch(cell) if 0 < len(cell) < 40 else None
         if match is None:
             if found:
                 if any(letter.isdigit() for rest in head[at:] for letter in rest):
