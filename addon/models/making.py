@@ -23,7 +23,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
     preset       what :func:`addon.catalogue.resolving.resolve` understands; None for the parameters alone
     realisation  one that the model has
     renderer     whose formula and working space the numbers are for
-    viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut
+    viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
     parameters   of the model, over the preset's own
 
     Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
@@ -128,7 +128,16 @@ def _viewing(resolved, renderer, viewing):
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})
     return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,
-            "gamut": found.gamut}
+            "gamut": found.gamut, "medium": _named_medium(found.medium)}
+
+
+def _named_medium(medium):
+    """A medium as a record keeps it: its index, or its name."""
+    dataset = getattr(medium, "dataset", medium)
+    if dataset != medium and resolve(medium).is_own:
+        raise FacetFilmError("The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of "
+                             "your own: give its index.", medium=dataset)
+    return dataset
 
 
 def _source(resolved):

@@ -65,16 +65,16 @@ TEXTS = {
         "请先烘焙实测材质：没有可重新烘焙的内容",
     "Bake a measured material first: there is nothing to export":
         "请先烘焙一个实测材质：没有可导出的内容",
+    "Bake a measurement from a file: tables of n and k, permittivity or reflectance in any layout and unit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON and others":
+        "从文件烘焙测量数据：任意布局与单位的 n 与 k、介电常数或反射率表格；refractiveindex.info、SOPRA、WVASE、Zemax、CGATS、JSON 等",
+    "Bake a measurement from the clipboard: a table of n and k, permittivity or reflectance":
+        "从剪贴板烘焙测量数据：n 与 k、介电常数或反射率的表格",
     "Bake a preset first: this material is not one of Facet & Film":
         "请先烘焙预设：此材质不属于 Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
         "将预设烘焙到选中的组节点；已有连线保留",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "按上方选择的光源与工作空间重新烘焙此文件的所有实测材质。按 Esc 停止，且不作任何更改",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "从文件烘焙光学常数：波长、n、k 或波长、R 的 CSV 或文本；refractiveindex.info 的 CSV 与 YAML；SOPRA 与 LuxPop 的 .nk",
-    "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
-        "从剪贴板烘焙光学常数：波长、n、k 或波长、R 的表格",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -93,6 +93,8 @@ TEXTS = {
         "核对",
     "Check Against a Measurement":
         "与测量值核对",
+    "Choose a file: here stands what it is read as":
+        "选择文件：此处显示它被读作什么",
     "Citation":
         "引文",
     "Clip":
@@ -257,6 +259,8 @@ TEXTS = {
         "OSL 脚本中的原生闭包：需启用开放着色语言",
     "Native closures: light-sampled, on every device, and in EEVEE":
         "原生闭包：支持光源采样、所有设备以及 EEVEE",
+    "Nearest":
+        "最接近",
     "New Name":
         "新名称",
     "Nodes updated: {:d}":
@@ -273,12 +277,16 @@ TEXTS = {
         "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
     "Observer":
         "观察者",
+    "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
+        "当文件包含多项内容或有多种含义时：选择哪一项。含义明确时留空",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
     "Other Conductors":
         "其他导体",
+    "Outside":
+        "外部介质",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "色域外：{:s}，通道最多改变 {:.3f}",
     "Oxides":
@@ -307,6 +315,8 @@ TEXTS = {
         "重新烘焙",
     "Re-bake All Materials":
         "重新烘焙所有材质",
+    "Read As":
+        "读作",
     "Realisation":
         "实现方式",
     "Reflectance at normal incidence":
@@ -383,6 +393,8 @@ TEXTS = {
         "纹理占比",
     "The Papers' Figures":
         "论文中的图",
+    "The colour inside that looks most alike, by CIEDE2000":
+        "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
     "The folder of {file!r} does not exist; make it first, or name another.":
@@ -405,6 +417,8 @@ TEXTS = {
         "测量点：wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
         "外部介质须为 1 到 4 之间的数，或透明材料，例如 1.33 或 'water'，而不是 {value!r}。",
+    "The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of your own: give its index.":
+        "外部介质以折射率、预设或数据集指定；{medium} 是您自己的测量数据：请给出其折射率。",
     "The preset to rename":
         "要重命名的预设",
     "The preset {file!r} cannot be read.":
@@ -441,8 +455,8 @@ TEXTS = {
         "此文件不是 Facet & Film 的预设。",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
-    "Towards grey of the same luminance, until inside: the hue stays":
-        "朝相同亮度的灰色移动，直到进入色域：色相不变",
+    "Towards grey of the same luminance, until inside: the 1982 paper's way":
+        "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Update Materials":
         "更新材质",
     "Vector":
@@ -467,6 +481,8 @@ TEXTS = {
         "权重 3",
     "Weight 4":
         "权重 4",
+    "What the surface is in: air, an index such as 1.33, or a clear material such as water":
+        "表面所处的介质：空气、折射率（如 1.33）或透明材质（如水）",
     "What to call it":
         "新的叫法",
     "What to compare":

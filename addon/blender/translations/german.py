@@ -65,16 +65,16 @@ TEXTS = {
         "Erst ein gemessenes Material backen: Es gibt nichts neu zu backen",
     "Bake a measured material first: there is nothing to export":
         "Erst ein gemessenes Material backen: Es gibt nichts zu exportieren",
+    "Bake a measurement from a file: tables of n and k, permittivity or reflectance in any layout and unit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON and others":
+        "Backt eine Messung aus einer Datei: Tabellen von n und k, Permittivität oder Reflexionsgrad in jeder Anordnung und Einheit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON und andere",
+    "Bake a measurement from the clipboard: a table of n and k, permittivity or reflectance":
+        "Backt eine Messung aus der Zwischenablage: eine Tabelle von n und k, Permittivität oder Reflexionsgrad",
     "Bake a preset first: this material is not one of Facet & Film":
         "Erst eine Voreinstellung backen: Dieses Material ist keines von Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
         "Backt eine Voreinstellung in den ausgewählten Gruppen-Node; was eingesteckt ist, bleibt",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "Backt jedes gemessene Material dieser Datei neu, im oben gewählten Licht und Arbeitsfarbraum. Esc bricht ab, dann ändert sich nichts",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "Backt optische Konstanten aus einer Datei: CSV oder Text mit Wellenlänge, n, k oder Wellenlänge, R; CSV und YAML von refractiveindex.info; .nk von SOPRA und LuxPop",
-    "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
-        "Backt optische Konstanten aus der Zwischenablage: eine Tabelle mit Wellenlänge, n, k oder Wellenlänge, R",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -93,6 +93,8 @@ TEXTS = {
         "Prüfen",
     "Check Against a Measurement":
         "Mit einer Messung prüfen",
+    "Choose a file: here stands what it is read as":
+        "Eine Datei wählen: Hier steht, als was sie gelesen wird",
     "Citation":
         "Quelle",
     "Clip":
@@ -257,6 +259,8 @@ TEXTS = {
         "Eingebaute Shader aus einem OSL-Skript: Open Shading Language muss eingeschaltet sein",
     "Native closures: light-sampled, on every device, and in EEVEE":
         "Eingebaute Shader: mit Lichtabtastung, auf jedem Gerät und in EEVEE",
+    "Nearest":
+        "Nächste",
     "New Name":
         "Neuer Name",
     "Nodes updated: {:d}":
@@ -273,12 +277,16 @@ TEXTS = {
         "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
     "Observer":
         "Beobachter",
+    "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
+        "Bei einer Datei, die mehreres enthält oder bedeuten kann: welches. Leer, wo die Bedeutung klar ist",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
     "Other Conductors":
         "Andere Leiter",
+    "Outside":
+        "Außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
     "Oxides":
@@ -307,6 +315,8 @@ TEXTS = {
         "Neu backen",
     "Re-bake All Materials":
         "Alle Materialien neu backen",
+    "Read As":
+        "Gelesen als",
     "Realisation":
         "Umsetzung",
     "Reflectance at normal incidence":
@@ -383,6 +393,8 @@ TEXTS = {
         "Texturanteil",
     "The Papers' Figures":
         "Abbildungen der Veröffentlichungen",
+    "The colour inside that looks most alike, by CIEDE2000":
+        "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
     "The folder of {file!r} does not exist; make it first, or name another.":
@@ -405,6 +417,8 @@ TEXTS = {
         "Die gemessenen Punkte: wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
         "Das Medium außen ist eine Zahl von 1 bis 4 oder ein klares Material, etwa 1.33 oder 'water', nicht {value!r}.",
+    "The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of your own: give its index.":
+        "Das Medium außen heißt nach seinem Index, einer Voreinstellung oder einem Datensatz; {medium} ist eine eigene Messung: den Index angeben.",
     "The preset to rename":
         "Die umzubenennende Voreinstellung",
     "The preset {file!r} cannot be read.":
@@ -441,8 +455,8 @@ TEXTS = {
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
-    "Towards grey of the same luminance, until inside: the hue stays":
-        "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
+    "Towards grey of the same luminance, until inside: the 1982 paper's way":
+        "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Update Materials":
         "Materialien aktualisieren",
     "Vector":
@@ -467,6 +481,8 @@ TEXTS = {
         "Gewicht 3",
     "Weight 4":
         "Gewicht 4",
+    "What the surface is in: air, an index such as 1.33, or a clear material such as water":
+        "Worin die Oberfläche liegt: Luft, ein Index wie 1.33 oder ein klares Material wie Wasser",
     "What to call it":
         "Wie sie heißen soll",
     "What to compare":
