@@ -11,7 +11,7 @@ __all__ = ["Film", "Stack", "MOST_FILMS", "MOST_OPTICAL_NM", "LARGEST_K_OUTSIDE"
 
 MOST_FILMS = 100
 MOST_OPTICAL_NM = 20000.0
-"""Σ n d of the films: spectra at every nm miss lines of thicker ones, by 0.4 CIEDE2000 there for titania on titanium."""
+"""Σ n d of the films: spectra at every nm miss lines of thicker ones, by 0.4 CIEDE2000 for titania on titanium."""
 LARGEST_K_OUTSIDE = 1e-4
 """Extinction that what is outside may have; it is left out then, as water's 1e-9: 0.1 mm at the least go unabsorbed."""
 LEAST_MEASURED_NM = 50.0
@@ -77,8 +77,8 @@ class Stack:
                                      "it is {low:g} to {high:g} nm.", word=film.word, low=film.low, high=film.high)
         optical = sum(film.high * float(film.constants.at(CORE)[0].max()) for film in self.films)
         if optical > MOST_OPTICAL_NM:
-            raise FacetFilmError("The films come to {optical:.0f} nm of n times thickness, and interference is calculated "
-                                 "to {most:.0f}; make them thinner, or what is thick the layer below.",
+            raise FacetFilmError("The films come to {optical:.0f} nm of n times thickness, and interference is "
+                                 "calculated to {most:.0f}; make them thinner, or what is thick the layer below.",
                                  optical=optical, most=MOST_OPTICAL_NM)
 
     @property

@@ -73,9 +73,9 @@ class FilmTable:
     def to_dict(self):
         """What a record keeps of it, ready for JSON: everything but the table itself."""
         return plain({
-            "stack": written(self.stack), "k_left_out_outside": self.stack.k_left_out, "of": self.of, "f0": self.f0, "table": {"thickness_range_nm": self.thickness_range_nm, "size": self.size,
-                                     "delta_e_2000_max": self.delta_e_2000_max,
-                                     "delta_e_2000_mean": self.delta_e_2000_mean},
+            "stack": written(self.stack), "k_left_out_outside": self.stack.k_left_out, "of": self.of, "f0": self.f0,
+            "table": {"thickness_range_nm": self.thickness_range_nm, "size": self.size,
+                      "delta_e_2000_max": self.delta_e_2000_max, "delta_e_2000_mean": self.delta_e_2000_mean},
             "gamut": self.gamut, "illuminant": self.viewing.illuminant, "observer": self.viewing.observer,
             "space": self.viewing.space, "adapted": self.viewing.adapt,
             "layers": [{"word": word, "dataset": constants.dataset, "citation": constants.citation,

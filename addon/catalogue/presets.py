@@ -18,7 +18,8 @@ class Preset:
 
     name         what scripts call it: small letters, digits and underscores
     title        what people call it
-    kind         one of addon.catalogue.kinds.KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of` says
+    kind         one of addon.catalogue.kinds.KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of`
+                 says
     model        the model that it is a material of; "" for a dataset or file, which any that takes a measurement may be
     dataset      "shelf/book/page" that it was measured as, or "" where there is none
     index        in place of a dataset: ((wavelength in nm, n, k), …)

@@ -34,8 +34,8 @@ class Group:
     stand_in    id of the group that EEVEE shows in its place, or ""
     osl         whether its code is compiled by the Blender that it is built in
     in_menu     whether the Add menu offers it
-    pictured    whether its Image Texture nodes show the Picture of a material: a group takes no image through a socket, so
-                the file has a copy of the group for each
+    pictured    whether its Image Texture nodes show the Picture of a material: a group takes no image through a socket,
+                so the file has a copy of the group for each
     """
 
     identifier: str
@@ -67,8 +67,8 @@ class Picture(NamedTuple):
 
     name  what the image is called
     key   a text that no other image has: a file holds one image for each
-    make  function() -> (pixels ``(rows, columns, 4)``, {name: text} that model.read() finds again, {socket: value} that the
-          look-up needs)
+    make  function() -> (pixels ``(rows, columns, 4)``, {name: text} that model.read() finds again, {socket: value}
+          that the look-up needs)
     """
 
     name: str
@@ -124,7 +124,8 @@ class Model:
     citation      the publication
     parameters    its class of checked parameters, with its TABLE
     groups        every Group of its own
-    realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one first}
+    realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one
+                  first}
     evaluate      function(parameters, n, v, l) -> the whole BRDF in 1/sr, ``(..., 3)``, of unit directions ``(..., 3)``
     facts         function(resolved preset, addon.bake.Bake) -> all that was baked, ready for JSON; for measurements
     bake          function(resolved preset, viewing options, realisation, Renderer) -> Baked

@@ -50,8 +50,9 @@ def _head(rows, columns):
     window = struct.pack("<4i", 0, 0, columns - 1, rows - 1)
     attributes = (("channels", "chlist", channels), ("compression", "compression", bytes([ZIP])),
                   ("dataWindow", "box2i", window), ("displayWindow", "box2i", window),
-                  ("lineOrder", "lineOrder", bytes([INCREASING])), ("pixelAspectRatio", "float", struct.pack("<f", 1.0)),
+                  ("lineOrder", "lineOrder", bytes([INCREASING])),
+                  ("pixelAspectRatio", "float", struct.pack("<f", 1.0)),
                   ("screenWindowCenter", "v2f", struct.pack("<ff", 0.0, 0.0)),
                   ("screenWindowWidth", "float", struct.pack("<f", 1.0)))
-    return MAGIC_AND_VERSION + b"".join(
-        f"{name}\0{kind}\0".encode() + struct.pack("<i", len(value)) + value for name, kind, value in attributes) + b"\0"
+    written = (f"{name}\0{kind}\0".encode() + struct.pack("<i", len(value)) + value for name, kind, value in attributes)
+    return MAGIC_AND_VERSION + b"".join(written) + b"\0"

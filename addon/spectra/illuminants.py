@@ -43,6 +43,15 @@ TITLES = {
 """What each illuminant is, with its correlated colour temperature.  CIE 015:2018."""
 
 
+ALIASES = {
+    "TL84": "F11", "TL83": "F12", "TL85": "F10", "U30": "F12", "UL30": "F12", "CWF": "F2", "COOL WHITE": "F2",
+    "WW": "F4", "WWF": "F4", "WARM WHITE": "F4", "WHITE FLUORESCENT": "F3", "DLF": "F1", "TUNGSTEN": "A",
+    "INCANDESCENT": "A", "INCA": "A", "DAYLIGHT": "D65", "EQUAL ENERGY": "E", "EE": "E", "2856K": "A",
+    "5000K": "D50", "5500K": "D55", "6000K": "D60", "6500K": "D65", "7500K": "D75",
+}
+"""What lamps of light booths and daylight are called, in capitals."""
+
+
 @functools.lru_cache(maxsize=1)
 def names():
     """The illuminants: A to E, D50 to D75, fluorescent F…, high pressure HP…, LED-….
@@ -63,14 +72,16 @@ def title(illuminant):
 
 
 def canonical(illuminant):
-    """The illuminant's name as names() has it; CIE's newer "FL2" is "F2", small letters will do.
+    """The illuminant's name as names() has it; "FL2" is "F2", "TL84" is "F11", small letters will do.
 
     Raises FacetFilmError for an unknown illuminant, with the nearest names.
 
-    >>> canonical("fl2")
-    'F2'
+    >>> canonical("fl2"), canonical("CWF"), canonical("CIE illuminant A")
+    ('F2', 'F2', 'A')
     """
-    name = re.sub(r"^FL(?=\d)", "F", str(illuminant).strip().upper())
+    name = re.sub(r"^((CIE|STANDARD|STD|ILLUMINANT|ILL)\.?[\s_-]+)+", "", str(illuminant).strip().upper())
+    name = ALIASES.get(name.replace("_", " ").replace("-", " ").replace(" K", "K"), name)
+    name = re.sub(r"^LED[\s_-]?(?=B|R|V)", "LED-", re.sub(r"^FL?\s?0?(?=\d)", "F", name))
     return choice("illuminant", name if name in names() else illuminant, names())
 
 

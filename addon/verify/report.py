@@ -110,7 +110,8 @@ def _picture(picture):
 
 
 def _presets(rows):
-    head = (f"<details><summary>How far each of the {len(rows)} presets is from its measured spectrum: largest CIEDE2000 over "
+    head = (f"<details><summary>How far each of the {len(rows)} presets is from its measured spectrum: largest "
+            "CIEDE2000 over "
             "angle</summary><table><tr><th>Preset</th><th>Kind</th><th>Dataset</th><th>n and k</th>"
             "<th>n and k, this Blender</th><th>F0 and F82</th></tr>")
     body = "".join(
@@ -121,9 +122,9 @@ def _presets(rows):
 
 def table_text(results):
     """The checks as the rows of a Markdown table: realisation, check, figures, passed or not."""
-    rows = ["| realisation | check | figures | |", "|---|---|---|---|"]
+    rows, titles = ["| realisation | check | figures | |", "|---|---|---|---|"], _titles()
     for check, outcome, _ in results:
         figures = outcome if isinstance(outcome, str) else "; ".join(_figure(figure) for figure in outcome.figures)
-        rows.append(f"| {MODELS[check.model]} {check.realisation} | {check.name} | {figures} | "
+        rows.append(f"| {titles[check.model]} {check.realisation} | {check.name} | {figures} | "
                     f"{'passed' if _passed(outcome) else '**FAILED**'} |")
     return "\n".join(rows)

@@ -112,8 +112,9 @@ def test_a_gradient_becomes_a_constant_thickness():
     assert api.record_of(constant).parameters.thickness_range is None
 
 
-@pytest.mark.parametrize("words", [{"preset": "main/TiO2/Jolivet-anatase 60 nm / main/Ti/Palm"}, {"preset": "water | MgF2 100 nm / glass"},
-                                   {"model": "film"}, {"model": "film", "stack": "SiO2 0-1000 nm / Si", "thickness": 300.0}])
+@pytest.mark.parametrize("words", [
+    {"preset": "main/TiO2/Jolivet-anatase 60 nm / main/Ti/Palm"}, {"preset": "water | MgF2 100 nm / glass"},
+    {"model": "film"}, {"model": "film", "stack": "SiO2 0-1000 nm / Si", "thickness": 300.0}])
 def test_every_door_takes_a_stack(words):
     material = api.create_material(**words)
     assert materials.model_of(material).name == "film"
@@ -122,8 +123,10 @@ def test_every_door_takes_a_stack(words):
 
 @pytest.mark.parametrize("words, said", [
     ({"preset": "Foo 10 nm / Si"}, "At 'Foo 10 nm'"), ({"preset": "Ag | SiO2 10 nm / Si"}, "must not absorb"),
-    ({"preset": "SiO2 -5 nm / Si"}, "a thickness is from 0 nm on"), ({"preset": "no/such/file.csv 10 nm / Si"}, "At 'no/such/file.csv 10 nm'"),
-    ({"preset": "soap_bubble", "stack": TITANIA}, "give one of them"), ({"preset": TITANIA, "thickness": -1.0}, "thickness must be")])
+    ({"preset": "SiO2 -5 nm / Si"}, "a thickness is from 0 nm on"),
+    ({"preset": "no/such/file.csv 10 nm / Si"}, "At 'no/such/file.csv 10 nm'"),
+    ({"preset": "soap_bubble", "stack": TITANIA}, "give one of them"),
+    ({"preset": TITANIA, "thickness": -1.0}, "thickness must be")])
 def test_bad_input_is_one_sentence_and_makes_nothing(words, said):
     with pytest.raises(FacetFilmError, match=said):
         api.create_material(**words)
@@ -139,7 +142,8 @@ def test_eevee_and_cycles_agree_on_a_gradient():
         assert {node.interpolation for node in group.nodes if node.bl_idname == "ShaderNodeTexImage"} == filters
     cycles = probes.render(scene)
     node = materials.our_node(material)
-    output = next(n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial" and n.target == "CYCLES")
+    outputs = [n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]
+    output = next(n for n in outputs if n.target == "CYCLES")
     material.node_tree.links.new(node.outputs[1], output.inputs[0])
     stand_in = probes.render(scene)
     assert compat.eevee_engine()
@@ -149,10 +153,10 @@ def test_eevee_and_cycles_agree_on_a_gradient():
 
 def test_thickness_laws_are_what_their_groups_render():
     from addon.spectra.thickness_laws import ANODISING, HEAT_TINTS
-    for identifier, values, wanted in (
-            ("film_anodising", {"Voltage": 30.0}, {metal.capitalize(): law.thickness(30.0) for metal, law in ANODISING.items()}),
-            ("film_heat_tint", {"Temperature": 300.0, "Time": 1.0},
-             {metal.title(): law.thickness(300.0) for metal, law in HEAT_TINTS.items()})):
+    anodised = {metal.capitalize(): law.thickness(30.0) for metal, law in ANODISING.items()}
+    tinted = {metal.title(): law.thickness(300.0) for metal, law in HEAT_TINTS.items()}
+    for identifier, values, wanted in (("film_anodising", {"Voltage": 30.0}, anodised),
+                                       ("film_heat_tint", {"Temperature": 300.0, "Time": 1.0}, tinted)):
         for output, nm in wanted.items():
             assert rendered(identifier, values, output) == pytest.approx(float(nm), rel=1e-4)
 

@@ -88,7 +88,8 @@ def test_every_kind_of_node_in_our_groups_is_known_to_the_fingerprint():
 @pytest.mark.parametrize("change", [
     lambda tree, item: setattr(item, "default_value", 0.35), lambda tree, item: setattr(item, "max_value", 0.9),
     lambda tree, item: setattr(item, "name", "Rms Slope"), lambda tree, item: tree.interface.remove(item),
-    lambda tree, item: setattr(next(n for n in tree.nodes if n.bl_idname == "ShaderNodeBsdfMetallic"), "distribution", "GGX"),
+    lambda tree, item: setattr(next(n for n in tree.nodes if n.bl_idname == "ShaderNodeBsdfMetallic"), "distribution",
+                               "GGX"),
 ])
 def test_the_fingerprint_sees_the_interface_and_settings(change):
     tree = groups.build_group("cook_torrance_fast")

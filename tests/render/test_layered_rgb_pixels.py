@@ -133,7 +133,8 @@ def render_only(scene, pixels):
 
 
 @pytest.mark.parametrize("realisation, name, polar, times", [
-    ("exact", "parallel, 70 nm", 48.0, 1), ("exact", "parallel, 15 nm", 60.0, 4), ("exact", "parallel, 400 nm", 75.0, 4),
+    ("exact", "parallel, 70 nm", 48.0, 1), ("exact", "parallel, 15 nm", 60.0, 4),
+    ("exact", "parallel, 400 nm", 75.0, 4),
     ("exact", "10 degrees, 92 nm", 48.0, 1), ("exact", "10 degrees, 92 nm", 72.0, 1),
     ("exact", "14 degrees, 170 nm", 20.0, 1), ("exact", "14 degrees, 170 nm", 72.0, 2),
     ("osl", "parallel, 70 nm", 48.0, 1), ("osl", "10 degrees, 92 nm", 48.0, 1), ("osl", "14 degrees, 170 nm", 72.0, 1)])

@@ -1,4 +1,6 @@
-"""The panels and their operators: pickers, several objects, linked data, light and gamut, groups, the status of a scene."""
+"""The panels and their operators: pickers, several objects, linked data, light and gamut, groups, the status of a
+scene.
+"""
 
 import bpy
 import pytest

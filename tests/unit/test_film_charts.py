@@ -123,7 +123,7 @@ def test_what_of_the_hobby_charts_misses():
 
 @pytest.mark.parametrize("metal", sorted(HEAT_TINTS))
 def test_heat_tints_grow_as_the_charts_say(metal):
-    """Within 15 % of the thickness whose hue a chart names, and with that hue; of the laws' fit that is all there is."""
+    """Within 15 % of the thickness whose hue a chart names, and with that hue: all there is of the laws' fit."""
     law = HEAT_TINTS[metal]
     places = {"light yellow": "straw", "golden yellow": "gold", "pale yellow": "straw", "straw yellow": "straw",
               "dark yellow": "gold", "dark straw": "straw", "dark purple": "purple", "dark blue": "blue"}

@@ -24,8 +24,8 @@ from .pictures import image_in, image_of, key_of, sockets_of_image, values_of_im
 if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits for what is imported here
     from ...models.record import Record
 
-__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "is_measured", "model_of", "our_node", "parameters_of",
-           "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
+__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "is_measured", "model_of", "our_node",
+           "parameters_of", "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
 
 RECORD_KEY = "facet_film"
 NODE_WIDTH = 240

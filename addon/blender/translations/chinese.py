@@ -91,14 +91,20 @@ TEXTS = {
         "请先烘焙实测材质：没有可重新烘焙的内容",
     "Bake a measured material first: there is nothing to export":
         "请先烘焙一个实测材质：没有可导出的内容",
+    "Bake a measurement from a file: tables of n and k, permittivity or reflectance in any layout and unit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON and others":
+        "从文件烘焙测量数据：任意布局与单位的 n 与 k、介电常数或反射率表格；refractiveindex.info、SOPRA、WVASE、Zemax、CGATS、JSON 等",
+    "Bake a measurement from the clipboard: a table of n and k, permittivity or reflectance":
+        "从剪贴板烘焙测量数据：n 与 k、介电常数或反射率的表格",
     "Bake a preset first: this material is not one of Facet & Film":
         "请先烘焙预设：此材质不属于 Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
         "将预设烘焙到选中的组节点；已有连线保留",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "按上方选择的光源与工作空间重新烘焙此文件的所有实测材质。按 Esc 停止，且不作任何更改",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "从文件烘焙光学常数：波长、n、k 或波长、R 的 CSV 或文本；refractiveindex.info 的 CSV 与 YAML；SOPRA 与 LuxPop 的 .nk",
+    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; "
+    "refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
+        "从文件烘焙光学常数：波长、n、k 或波长、R 的 CSV 或文本；refractiveindex.info 的 "
+        "CSV 与 YAML；SOPRA 与 LuxPop 的 .nk",
     "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
         "从剪贴板烘焙光学常数：波长、n、k 或波长、R 的表格",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
@@ -119,6 +125,8 @@ TEXTS = {
         "核对",
     "Check Against a Measurement":
         "与测量值核对",
+    "Choose a file: here stands what it is read as":
+        "选择文件：此处显示它被读作什么",
     "Citation":
         "引文",
     "Clip":
@@ -309,6 +317,8 @@ TEXTS = {
         "OSL 脚本中的原生闭包：需启用开放着色语言",
     "Native closures: light-sampled, on every device, and in EEVEE":
         "原生闭包：支持光源采样、所有设备以及 EEVEE",
+    "Nearest":
+        "最接近",
     "New Name":
         "新名称",
     "Nodes updated: {:d}":
@@ -325,6 +335,8 @@ TEXTS = {
         "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
     "Observer":
         "观察者",
+    "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
+        "当文件包含多项内容或有多种含义时：选择哪一项。含义明确时留空",
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "{word!r} 只有正入射反射率，而层堆需要 n 和 k；请选择另一个数据集。",
     "Open a material in the Shader Editor first":
@@ -333,6 +345,8 @@ TEXTS = {
         "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
     "Other Conductors":
         "其他导体",
+    "Outside":
+        "外部介质",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "色域外：{:s}，通道最多改变 {:.3f}",
     "Oxides":
@@ -361,6 +375,8 @@ TEXTS = {
         "重新烘焙",
     "Re-bake All Materials":
         "重新烘焙所有材质",
+    "Read As":
+        "读作",
     "Realisation":
         "实现方式",
     "Reflectance at normal incidence":
@@ -449,24 +465,12 @@ TEXTS = {
         "纹理占比",
     "The Papers' Figures":
         "论文中的图",
+    "The colour inside that looks most alike, by CIEDE2000":
+        "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
-    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to "
-    "Thickness in nanometres of the oxide that a voltage grows on a metal":
-        "电压在金属上生成的氧化物的厚度（纳米）",
-    "Thickness in nanometres of the oxide that heat grows on a metal":
-        "加热在金属上生成的氧化物的厚度（纳米）",
-    "Thickness in nanometres that varies by noise, a gradient or a texture":
-        "随噪波、渐变或纹理变化的厚度（纳米）",
-    "Time":
-        "时间",
-    "Voltage":
-        "电压",
-    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
-        "stack 必须是由外向内的各层，例如 'SiO2 0-1000 nm / Si'，而不是 {value!r}。",
-    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
-        "thickness_range 必须是以 nm 为单位的（最小，最大），而不是 ({least:g}, {greatest:g})。",
-    "{most:.0f}; make them thinner, or what is thick the layer below.":
+    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
+    "make them thinner, or what is thick the layer below.":
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
@@ -488,6 +492,10 @@ TEXTS = {
         "库 {:s} 已不在偏好设置中",
     "The measured points: wavelength_nm, n, k":
         "测量点：wavelength_nm, n, k",
+    "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
+        "外部介质须为 1 到 4 之间的数，或透明材料，例如 1.33 或 'water'，而不是 {value!r}。",
+    "The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of your own: give its index.":
+        "外部介质以折射率、预设或数据集指定；{medium} 是您自己的测量数据：请给出其折射率。",
     "The preset to rename":
         "要重命名的预设",
     "The preset {file!r} cannot be read.":
@@ -516,6 +524,12 @@ TEXTS = {
         "已有名为 {:s} 的预设",
     "Thickness":
         "厚度",
+    "Thickness in nanometres of the oxide that a voltage grows on a metal":
+        "电压在金属上生成的氧化物的厚度（纳米）",
+    "Thickness in nanometres of the oxide that heat grows on a metal":
+        "加热在金属上生成的氧化物的厚度（纳米）",
+    "Thickness in nanometres that varies by noise, a gradient or a texture":
+        "随噪波、渐变或纹理变化的厚度（纳米）",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
     "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
@@ -530,6 +544,10 @@ TEXTS = {
         "此文件不是 Facet & Film 的预设。",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
+    "Time":
+        "时间",
+    "Towards grey of the same luminance, until inside: the 1982 paper's way":
+        "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Towards grey of the same luminance, until inside: the hue stays":
         "朝相同亮度的灰色移动，直到进入色域：色相不变",
     "Update Materials":
@@ -546,6 +564,8 @@ TEXTS = {
         "正在验证 {:s}",
     "Verifying: starting a second Blender …":
         "正在验证：启动第二个 Blender …",
+    "Voltage":
+        "电压",
     "Wavelengths":
         "波长",
     "Weight 1":
@@ -556,9 +576,11 @@ TEXTS = {
         "权重 3",
     "Weight 4":
         "权重 4",
-    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, "
-    "such as air or water.":
+    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
+    "air or water.":
         "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
+    "What the surface is in: air, an index such as 1.33, or a clear material such as water":
+        "表面所处的介质：空气、折射率（如 1.33）或透明材质（如水）",
     "What to call it":
         "新的叫法",
     "What to compare":
@@ -663,6 +685,11 @@ TEXTS = {
         "预设",
     "preset {preset!r} is unknown; what fits these words: {found}.":
         "未知预设 {preset!r}；与这些词相符的有：{found}。",
+    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
+        "stack 必须是由外向内的各层，例如 'SiO2 0-1000 nm / Si'，而不是 {value!r}。",
+    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
+        "thickness_range 必须是以 nm 为单位的（最小，最大），而不是 ({least:g}, "
+        "{greatest:g})。",
     "three-band fluorescent, 2980 K":
         "三基色荧光灯，2980 K",
     "three-band fluorescent, 3000 K":
@@ -727,12 +754,16 @@ TEXTS = {
         "{file!r} 正在写入；若并非如此，请删除 {aside!r}。",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} 受保护或不是普通文件；请另指定一个。",
+    "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
+        "{material} 会吸收光，不能作为外部介质；请给出透明的介质，例如 'water'，或其折射率，例如 1.33。",
     "{material} has no Principled BSDF that comes close: name a measured preset.":
         "{material} 没有相近的原理化 BSDF：请指定一个测量预设。",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} 不含测量数据：请先烘焙一个测量预设。",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
         "{material} 是库重写，其节点与槽属于另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{material} is known by its reflectance in air alone: none in another medium follows; take data of n and k.":
+        "{material} 只有在空气中的反射率：无法由此得出在其他介质中的反射率；请使用 n 和 k 的数据。",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
@@ -741,6 +772,10 @@ TEXTS = {
         "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
     "{name} must be a text, not {value!r}.":
         "{name} 必须是文本，而不是 {value!r}。",
+    "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
+        "{name} {value!r} 不是颜色：线性数值最大为 {most}，255 以内的整数为 sRGB。",
+    "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
+        "{name} {value!r} 不是颜色；请给出三个数，或类似 '#ffd98b' 的值。",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "未知{name} {value!r}；有效值：{valid}。",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
@@ -751,12 +786,14 @@ TEXTS = {
         "{preset} 是 {model} 的预设：请省略模型，或指定该模型。",
     "{preset} was not measured: it is a preset of {model}, which has no spectrum to bake. Make a material of it, or name a measured preset such as 'copper'.":
         "{preset} 没有测量数据：它是 {model} 的预设，没有可烘焙的光谱。请用它创建材质，或指定一个测量预设，例如 'copper'。",
-    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; "
-    "choose another dataset.":
-        "{word!r} 的测量范围为 {low:g} 到 {high:g} nm，几乎不含可见光 400 到 700 nm；请选择另一个数据集。",
-    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something "
-    "clear, such as air or water.":
+    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; choose "
+    "another dataset.":
+        "{word!r} 的测量范围为 {low:g} 到 {high:g} nm，几乎不含可见光 400 到 700 "
+        "nm；请选择另一个数据集。",
+    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something clear, "
+    "such as air or water.":
         "{word!r} 位于层堆外部，不得有吸收，但其 k 高达 {k:.2g}；请选择透明材料，如 air 或 water。",
-    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such as 1.38.":
+    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such "
+    "as 1.38.":
         "未知的 {word!r}；您是指 {near} 吗？层可以是数据集、预设的材料，或如 1.38 的折射率。",
 }

@@ -34,8 +34,8 @@ TEXTS = {
     "A stack is a text such as 'SiO2 0-1000 nm / Si', from the outside in, not {value!r}.":
         "Ein Schichtstapel ist ein Text wie 'SiO2 0-1000 nm / Si', von außen nach innen, nicht {value!r}.",
     "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
-        "Ein Stapel aus {films} Schichten hat {indices} Brechzahlen: außen, Schichten und Träger; "
-        "gegeben sind {given}.",
+        "Ein Stapel aus {films} Schichten hat {indices} Brechzahlen: außen, Schichten und Träger; gegeben "
+        "sind {given}.",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
     "A verification is running":
@@ -78,8 +78,8 @@ TEXTS = {
     "At {place!r}: films repeat 1 to {most} times, not {times}.":
         "Bei {place!r}: Schichten wiederholen sich 1- bis {most}-mal, nicht {times}-mal.",
     "At {place!r}: the last layer is what is below all films and has no thickness; name it after another ' / '.":
-        "Bei {place!r}: Als Letztes steht, was unter allen Schichten liegt, ohne Dicke; es folgt nach "
-        "einem weiteren ' / '.",
+        "Bei {place!r}: Als Letztes steht, was unter allen Schichten liegt, ohne Dicke; es folgt nach einem "
+        "weiteren ' / '.",
     "At {place!r}: what is outside stands before one bar, and there are more.":
         "Bei {place!r}: Was außen ist, steht vor einem senkrechten Strich, und hier sind mehrere.",
     "At {place!r}: {why}":
@@ -94,14 +94,20 @@ TEXTS = {
         "Erst ein gemessenes Material backen: Es gibt nichts neu zu backen",
     "Bake a measured material first: there is nothing to export":
         "Erst ein gemessenes Material backen: Es gibt nichts zu exportieren",
+    "Bake a measurement from a file: tables of n and k, permittivity or reflectance in any layout and unit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON and others":
+        "Backt eine Messung aus einer Datei: Tabellen von n und k, Permittivität oder Reflexionsgrad in jeder Anordnung und Einheit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON und andere",
+    "Bake a measurement from the clipboard: a table of n and k, permittivity or reflectance":
+        "Backt eine Messung aus der Zwischenablage: eine Tabelle von n und k, Permittivität oder Reflexionsgrad",
     "Bake a preset first: this material is not one of Facet & Film":
         "Erst eine Voreinstellung backen: Dieses Material ist keines von Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
         "Backt eine Voreinstellung in den ausgewählten Gruppen-Node; was eingesteckt ist, bleibt",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "Backt jedes gemessene Material dieser Datei neu, im oben gewählten Licht und Arbeitsfarbraum. Esc bricht ab, dann ändert sich nichts",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "Backt optische Konstanten aus einer Datei: CSV oder Text mit Wellenlänge, n, k oder Wellenlänge, R; CSV und YAML von refractiveindex.info; .nk von SOPRA und LuxPop",
+    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; "
+    "refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
+        "Backt optische Konstanten aus einer Datei: CSV oder Text mit Wellenlänge, n, k oder Wellenlänge, R; "
+        "CSV und YAML von refractiveindex.info; .nk von SOPRA und LuxPop",
     "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
         "Backt optische Konstanten aus der Zwischenablage: eine Tabelle mit Wellenlänge, n, k oder Wellenlänge, R",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
@@ -122,6 +128,8 @@ TEXTS = {
         "Prüfen",
     "Check Against a Measurement":
         "Mit einer Messung prüfen",
+    "Choose a file: here stands what it is read as":
+        "Eine Datei wählen: Hier steht, als was sie gelesen wird",
     "Citation":
         "Quelle",
     "Clip":
@@ -312,6 +320,8 @@ TEXTS = {
         "Eingebaute Shader aus einem OSL-Skript: Open Shading Language muss eingeschaltet sein",
     "Native closures: light-sampled, on every device, and in EEVEE":
         "Eingebaute Shader: mit Lichtabtastung, auf jedem Gerät und in EEVEE",
+    "Nearest":
+        "Nächste",
     "New Name":
         "Neuer Name",
     "Nodes updated: {:d}":
@@ -328,15 +338,19 @@ TEXTS = {
         "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
     "Observer":
         "Beobachter",
+    "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
+        "Bei einer Datei, die mehreres enthält oder bedeuten kann: welches. Leer, wo die Bedeutung klar ist",
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
-        "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; "
-        "anderen Datensatz wählen.",
+        "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; anderen "
+        "Datensatz wählen.",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
     "Other Conductors":
         "Andere Leiter",
+    "Outside":
+        "Außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
     "Oxides":
@@ -365,6 +379,8 @@ TEXTS = {
         "Neu backen",
     "Re-bake All Materials":
         "Alle Materialien neu backen",
+    "Read As":
+        "Gelesen als",
     "Realisation":
         "Umsetzung",
     "Reflectance at normal incidence":
@@ -453,26 +469,14 @@ TEXTS = {
         "Texturanteil",
     "The Papers' Figures":
         "Abbildungen der Veröffentlichungen",
+    "The colour inside that looks most alike, by CIEDE2000":
+        "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
-    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to "
-    "Thickness in nanometres of the oxide that a voltage grows on a metal":
-        "Dicke des Oxids in Nanometern, das eine Spannung auf einem Metall wachsen lässt",
-    "Thickness in nanometres of the oxide that heat grows on a metal":
-        "Dicke des Oxids in Nanometern, das Hitze auf einem Metall wachsen lässt",
-    "Thickness in nanometres that varies by noise, a gradient or a texture":
-        "Dicke in Nanometern, die durch Rauschen, einen Verlauf oder eine Textur wechselt",
-    "Time":
-        "Zeit",
-    "Voltage":
-        "Spannung",
-    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
-        "stack muss Schichten von außen nach innen nennen, etwa 'SiO2 0-1000 nm / Si', nicht {value!r}.",
-    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
-        "thickness_range muss (kleinste, größte) Dicke in nm sein, nicht ({least:g}, {greatest:g}).",
-    "{most:.0f}; make them thinner, or what is thick the layer below.":
-        "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis "
-        "{most:.0f} gerechnet; dünner machen, oder das Dicke als unterste Lage nehmen.",
+    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
+    "make them thinner, or what is thick the layer below.":
+        "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis {most:.0f} "
+        "gerechnet; dünner machen, oder das Dicke als unterste Lage nehmen.",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
     "The formula of Cook and Torrance 1982 itself as an OSL script":
@@ -493,6 +497,10 @@ TEXTS = {
         "Die Bibliothek {:s} steht nicht mehr in den Einstellungen",
     "The measured points: wavelength_nm, n, k":
         "Die gemessenen Punkte: wavelength_nm, n, k",
+    "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
+        "Das Medium außen ist eine Zahl von 1 bis 4 oder ein klares Material, etwa 1.33 oder 'water', nicht {value!r}.",
+    "The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of your own: give its index.":
+        "Das Medium außen heißt nach seinem Index, einer Voreinstellung oder einem Datensatz; {medium} ist eine eigene Messung: den Index angeben.",
     "The preset to rename":
         "Die umzubenennende Voreinstellung",
     "The preset {file!r} cannot be read.":
@@ -521,6 +529,12 @@ TEXTS = {
         "Es gibt schon eine Voreinstellung namens {:s}",
     "Thickness":
         "Dicke",
+    "Thickness in nanometres of the oxide that a voltage grows on a metal":
+        "Dicke des Oxids in Nanometern, das eine Spannung auf einem Metall wachsen lässt",
+    "Thickness in nanometres of the oxide that heat grows on a metal":
+        "Dicke des Oxids in Nanometern, das Hitze auf einem Metall wachsen lässt",
+    "Thickness in nanometres that varies by noise, a gradient or a texture":
+        "Dicke in Nanometern, die durch Rauschen, einen Verlauf oder eine Textur wechselt",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
     "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
@@ -535,6 +549,10 @@ TEXTS = {
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
+    "Time":
+        "Zeit",
+    "Towards grey of the same luminance, until inside: the 1982 paper's way":
+        "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Towards grey of the same luminance, until inside: the hue stays":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
     "Update Materials":
@@ -551,6 +569,8 @@ TEXTS = {
         "Prüfung: {:s}",
     "Verifying: starting a second Blender …":
         "Prüfung: startet ein zweites Blender …",
+    "Voltage":
+        "Spannung",
     "Wavelengths":
         "Wellenlängen",
     "Weight 1":
@@ -561,10 +581,12 @@ TEXTS = {
         "Gewicht 3",
     "Weight 4":
         "Gewicht 4",
-    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, "
-    "such as air or water.":
-        "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas "
-        "Klares nennen, etwa Luft oder Wasser.",
+    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
+    "air or water.":
+        "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas Klares "
+        "nennen, etwa Luft oder Wasser.",
+    "What the surface is in: air, an index such as 1.33, or a clear material such as water":
+        "Worin die Oberfläche liegt: Luft, ein Index wie 1.33 oder ein klares Material wie Wasser",
     "What to call it":
         "Wie sie heißen soll",
     "What to compare":
@@ -669,6 +691,10 @@ TEXTS = {
         "Voreinstellung",
     "preset {preset!r} is unknown; what fits these words: {found}.":
         "Voreinstellung {preset!r} ist unbekannt; zu diesen Wörtern passt: {found}.",
+    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
+        "stack muss Schichten von außen nach innen nennen, etwa 'SiO2 0-1000 nm / Si', nicht {value!r}.",
+    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
+        "thickness_range muss (kleinste, größte) Dicke in nm sein, nicht ({least:g}, {greatest:g}).",
     "three-band fluorescent, 2980 K":
         "Dreibanden-Leuchtstofflampe, 2980 K",
     "three-band fluorescent, 3000 K":
@@ -733,12 +759,16 @@ TEXTS = {
         "{file!r} wird schon geschrieben; wenn nicht, {aside!r} entfernen.",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
+    "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
+        "{material} absorbiert Licht und kann nicht das Medium außen sein; ein klares nennen, etwa 'water', oder dessen Brechzahl, etwa 1.33.",
     "{material} has no Principled BSDF that comes close: name a measured preset.":
         "{material} hat keinen Principled BSDF, der nahe kommt: eine gemessene Voreinstellung nennen.",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} enthält keine Messung: erst eine gemessene Voreinstellung backen.",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
         "{material} ist eine Bibliotheksüberschreibung, deren Nodes und Slots einer anderen Datei gehören: erst lokal machen (Objekt, Relationen, Lokal machen)",
+    "{material} is known by its reflectance in air alone: none in another medium follows; take data of n and k.":
+        "Von {material} ist nur die Reflexion in Luft bekannt: Für ein anderes Medium folgt daraus keine; Daten mit n und k nehmen.",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
@@ -747,6 +777,10 @@ TEXTS = {
         "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
     "{name} must be a text, not {value!r}.":
         "{name} muss ein Text sein, nicht {value!r}.",
+    "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
+        "{name} {value!r} ist keine Farbe: Lineare Zahlen gehen bis {most}, ganze bis 255 sind sRGB.",
+    "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
+        "{name} {value!r} ist keine Farbe; drei Zahlen angeben, oder eine wie '#ffd98b'.",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "{name} {value!r} ist unbekannt; gültig: {valid}.",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":
@@ -757,15 +791,16 @@ TEXTS = {
         "{preset} ist eine Voreinstellung von {model}: das Modell weglassen oder jenes nennen.",
     "{preset} was not measured: it is a preset of {model}, which has no spectrum to bake. Make a material of it, or name a measured preset such as 'copper'.":
         "{preset} wurde nicht gemessen: es ist eine Voreinstellung von {model} und hat kein Spektrum zum Backen. Ein Material daraus machen oder eine gemessene Voreinstellung wie 'copper' nennen.",
-    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; "
-    "choose another dataset.":
-        "{word!r} ist von {low:g} bis {high:g} nm gemessen, also kaum im Sichtbaren, 400 bis 700 nm; "
-        "anderen Datensatz wählen.",
-    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something "
-    "clear, such as air or water.":
-        "{word!r} ist außerhalb des Stapels und darf nicht absorbieren, hat aber k bis {k:.2g}; etwas "
-        "Klares nennen, etwa air oder water.",
-    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such as 1.38.":
+    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; choose "
+    "another dataset.":
+        "{word!r} ist von {low:g} bis {high:g} nm gemessen, also kaum im Sichtbaren, 400 bis 700 nm; anderen "
+        "Datensatz wählen.",
+    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something clear, "
+    "such as air or water.":
+        "{word!r} ist außerhalb des Stapels und darf nicht absorbieren, hat aber k bis {k:.2g}; etwas Klares "
+        "nennen, etwa air oder water.",
+    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such "
+    "as 1.38.":
         "{word!r} ist unbekannt; war {near} gemeint? Eine Schicht ist ein Datensatz, das Material einer "
         "Voreinstellung oder eine Brechzahl wie 1.38.",
 }

@@ -46,8 +46,8 @@ class Layers(Text):
     def checked(self, value):
         """A text with two layers at least."""
         if not isinstance(value, str) or not (" / " in value or "|" in value):
-            raise FacetFilmError("stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.",
-                                 value=value)
+            raise FacetFilmError("stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', "
+                                 "not {value!r}.", value=value)
         return value.strip()
 
 
@@ -70,8 +70,8 @@ TABLE = (
     Colour(name="diffuse", symbol="π Rd", socket="Diffuse Color", default=(0.5, 0.5, 0.5), low=0.0, high=1.0,
            tip="Reflectance of the diffuse part"),
     Number(name="see_through", socket="See-through", default=0.0, low=0.0, high=1.0, subtype="FACTOR",
-           tip="Share that passes on of what the film does not reflect or absorb: 1 for soap films and panes, which are "
-               "then single-walled. Bake again after changing it from 0"),
+           tip="Share that passes on of what the film does not reflect or absorb: 1 for soap films and panes, which "
+               "are then single-walled. Bake again after changing it from 0"),
     Direction(name="normal", symbol="N", socket="Normal",
               tip="Shading normal; the surface's own where nothing is plugged in"),
     Number(name="sampling_width", socket="Sampling Width", key="width", default=0.2, low=0.0, high=1.0,

@@ -1,5 +1,6 @@
-"""The tables of a film's colours: baked once for a stack in words and a viewing, and made the image that groups show."""
+"""The tables of a film's colours: baked once for a stack in words and a viewing, and made the image of groups."""
 
+import dataclasses
 import functools
 import hashlib
 
@@ -10,7 +11,6 @@ from ...bake.reflected import Viewing
 from ...bake.stack_notation import parse
 from ...catalogue.resolving import layer
 from ..model import Picture
-from .parameters import COLUMNS, ROWS
 
 __all__ = ["picture", "stack_of", "table_of"]
 
@@ -41,12 +41,27 @@ def table_of(text, viewing, of="reflected"):
 
 @functools.lru_cache(maxsize=16)
 def _table(text, viewing, of):
-    stack, light = stack_of(text), Viewing(**dict(viewing))
+    light = _smooth(Viewing(**dict(viewing)))
+    stack = _in_medium(stack_of(text), light.medium)
     if of == "transmitted":
         rows, columns = _table(text, viewing, "reflected").size
         return film_table(stack, light, rows=rows, columns=max(columns, 8), of=of)
     bright = float(stack.below_constants.at(550.0)[1]) > ABSORBING
     return smallest_table(stack, light, OF_METALS if bright else OF_DARK)
+
+
+def _smooth(viewing):
+    """The same, with the desaturation that makes no kinks over a gradient in place of the nearest colour inside."""
+    return dataclasses.replace(viewing, gamut="desaturate") if viewing.gamut == "nearest" else viewing
+
+
+def _in_medium(stack, medium):
+    """The stack in the medium of a viewing, where its own words leave it in air."""
+    if stack.outside != "air" or medium == 1.0:
+        return stack
+    word = str(getattr(medium, "dataset", medium))
+    outside = parse(f"{word} | {stack.below}", layer).outside_constants
+    return dataclasses.replace(stack, outside=word, outside_constants=outside)
 
 
 def picture(parameters, viewing):
