@@ -7,6 +7,7 @@ import re
 import unicodedata
 
 from ..spectra import tables
+from ..spectra.optical_constants import dataset_of_address
 from .presets import all_presets
 
 __all__ = ["Found", "END_OF_NAMES", "forget", "index_line", "search", "words_of"]
@@ -43,7 +44,7 @@ class Found:
 def search(text, limit=50, *, guess=True):
     """The materials that every word of the text fits, best first.
 
-    text   words in any order: "brass", "gold babar", "TiO2", "titanium oxide"
+    text   words in any order: "brass", "gold babar", "TiO2", "titanium oxide"; or the address of a dataset's page
     limit  at most so many; None for all
     guess  whether words of which nothing is known are read as the nearest known ones
 
@@ -54,7 +55,8 @@ def search(text, limit=50, *, guess=True):
     >>> search("tungstn")[0].dataset.split("/")[1]
     'W'
     """
-    words = words_of(text)
+    named = dataset_of_address(text) if "/" in str(text) else None
+    words = words_of(" ".join(named.split("/")[1:]) if named else text)
     found = _fitting(words)
     if not found and words and guess:
         found = _fitting([_nearest(word) for word in words])
