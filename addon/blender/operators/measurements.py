@@ -49,7 +49,7 @@ class _FromMeasurement(OnActiveObject, Viewing):
         from ...api import create_material
         try:
             constants = read()
-            with target_material(context.active_object) as target:
+            with target_material(context) as target:
                 target.material = create_material(
                     preset=constants, realisation=self.realisation, material=target.material,
                     viewing=viewing_of(self))
