@@ -16,7 +16,9 @@ __all__ = ["Found", "END_OF_NAMES", "forget", "index_line", "search", "words_of"
 EXACT, BEGINNING, ELSEWHERE, IN_THE_NOTES = 8, 4, 2, 1
 END_OF_NAMES = "|"
 """In a line of the index, between the words of a material's names and all its other words."""
-WORD = re.compile(r"[a-z0-9α-ω.]+")
+WORD = re.compile(r"[a-z0-9α-ω.\u4e00-\u9fff]+")
+SHORTEST_GUESSED, MUCH_ALIKE = 5, 0.88
+"""Of words that are read as others: how long, and how alike, 1 being the same."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -57,7 +59,7 @@ def search(text, limit=50, *, guess=True):
     """
     named = dataset_of_address(text) if "/" in str(text) else None
     words = words_of(" ".join(named.split("/")[1:]) if named else text)
-    found = _fitting(words)
+    found = _fitting(words) if words or not str(text).strip() else []
     if not found and words and guess:
         found = _fitting([_nearest(word) for word in words])
     entry = _entries()[1]
@@ -148,7 +150,7 @@ def _vocabulary():
 
 
 def _nearest(word):
-    """The word itself where it occurs, else the nearest of the materials' names."""
-    if any(word in line for line in _lines()):
+    """The word itself where it occurs or is short, as formulas are; else the nearest of the materials' names."""
+    if len(word) < SHORTEST_GUESSED or any(word in line for line in _lines()):
         return word
-    return (difflib.get_close_matches(word, _vocabulary(), 1, 0.7) or [word])[0]
+    return (difflib.get_close_matches(word, _vocabulary(), 1, MUCH_ALIKE) or [word])[0]
