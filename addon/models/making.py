@@ -152,8 +152,8 @@ def _named_medium(medium):
     """A medium as a record keeps it: its index, or its name."""
     dataset = getattr(medium, "dataset", medium)
     if dataset != medium and resolve(medium).is_own:
-        raise FacetFilmError("The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of "
-                             "your own: give its index.", medium=dataset)
+        raise FacetFilmError("The medium outside is named by its index, a preset or a dataset; {medium} is a "
+                             "measurement of your own: give its index.", medium=dataset)
     return dataset
 
 

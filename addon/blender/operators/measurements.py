@@ -49,7 +49,7 @@ class _FromMeasurement(OnActiveObject, Viewing):
         from ...api import create_material
         try:
             constants = read()
-            with target_material(context.active_object) as target:
+            with target_material(context) as target:
                 target.material = create_material(
                     preset=constants, realisation=self.realisation, material=target.material,
                     viewing=viewing_of(self))
@@ -58,7 +58,7 @@ class _FromMeasurement(OnActiveObject, Viewing):
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         assumed = [line[0].upper() + line[1:] for line in constants.assumed]
-        self.report({"INFO"}, ". ".join([said_of(context.active_object.active_material), *assumed]))
+        self.report({"INFO"} if constants.covers_visible else {"WARNING"}, ". ".join([said_of(context.active_object.active_material), *assumed]))
         return {"FINISHED"}
 
     def draw(self, context):
