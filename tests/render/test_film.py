@@ -97,12 +97,12 @@ def test_a_record_comes_back_switched_and_baked_again():
     assert record.source.name == TITANIA and record.measured
     assert set(record.baked["realisations"]) == {"standard", "reference"}
     api.switch_realisation(material, "exact")
-    assert api.record_of(material).parameters == record.parameters
+    assert api.record_of(material).parameters.changed(sampling_width=0.2) == record.parameters
     before = pictures.image_in(materials.our_node(material).node_tree)
     api.rebake(material, {"illuminant": "A"})
     assert api.record_of(material).viewing["illuminant"] == "A"
     assert pictures.image_in(materials.our_node(material).node_tree) != before
-    assert api.record_of(material).parameters == record.parameters
+    assert api.record_of(material).parameters.changed(sampling_width=0.2) == record.parameters
 
 
 def test_a_gradient_becomes_a_constant_thickness():
@@ -163,7 +163,7 @@ def test_thickness_laws_are_what_their_groups_render():
 
 def rendered(identifier, values, output):
     """What a group's output is, as the radiance of a ball."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = probes.empty_scene(8)
     material = bpy.data.materials.new("output")
     compat.enable_nodes(material)
     tree = material.node_tree
@@ -175,6 +175,5 @@ def rendered(identifier, values, output):
         node.inputs[name].default_value = value
     tree.links.new(node.outputs[output], emission.inputs["Color"])
     tree.links.new(emission.outputs[0], surface.inputs["Surface"])
-    scene = probes.empty_scene(8)
     probes.add_sphere(material)
     return probes.render(scene)[4, 4, 0]

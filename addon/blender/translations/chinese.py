@@ -101,12 +101,6 @@ TEXTS = {
         "将预设烘焙到选中的组节点；已有连线保留",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "按上方选择的光源与工作空间重新烘焙此文件的所有实测材质。按 Esc 停止，且不作任何更改",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; "
-    "refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "从文件烘焙光学常数：波长、n、k 或波长、R 的 CSV 或文本；refractiveindex.info 的 "
-        "CSV 与 YAML；SOPRA 与 LuxPop 的 .nk",
-    "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
-        "从剪贴板烘焙光学常数：波长、n、k 或波长、R 的表格",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -548,8 +542,6 @@ TEXTS = {
         "时间",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
-    "Towards grey of the same luminance, until inside: the hue stays":
-        "朝相同亮度的灰色移动，直到进入色域：色相不变",
     "Update Materials":
         "更新材质",
     "Vector":

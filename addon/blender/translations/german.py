@@ -104,12 +104,6 @@ TEXTS = {
         "Backt eine Voreinstellung in den ausgewählten Gruppen-Node; was eingesteckt ist, bleibt",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "Backt jedes gemessene Material dieser Datei neu, im oben gewählten Licht und Arbeitsfarbraum. Esc bricht ab, dann ändert sich nichts",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; "
-    "refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "Backt optische Konstanten aus einer Datei: CSV oder Text mit Wellenlänge, n, k oder Wellenlänge, R; "
-        "CSV und YAML von refractiveindex.info; .nk von SOPRA und LuxPop",
-    "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
-        "Backt optische Konstanten aus der Zwischenablage: eine Tabelle mit Wellenlänge, n, k oder Wellenlänge, R",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -553,8 +547,6 @@ TEXTS = {
         "Zeit",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
-    "Towards grey of the same luminance, until inside: the hue stays":
-        "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
     "Update Materials":
         "Materialien aktualisieren",
     "Vector":
