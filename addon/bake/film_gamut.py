@@ -17,6 +17,9 @@ __all__ = ["FilmGamutReport", "map_film_colours", "desaturate_smoothly", "P"]
 P = 12
 """Exponent of the norm that stands for a maximum; higher is closer to one, and kinkier."""
 
+SMOOTHED = ("desaturate", "nearest")
+"""Ways of a Viewing that are the smooth desaturation for films."""
+
 
 class FilmGamutReport(NamedTuple):
     """What was outside, and what was done.
@@ -41,6 +44,7 @@ def map_film_colours(rgb, viewing):
     """(colours in [0, 1] of rgb's shape, FilmGamutReport) for the colours of one film, ``(…, 3)``.
 
     viewing  whose gamut "desaturate" is :func:`desaturate_smoothly` here, and
+             "nearest" too, as each colour's own nearest makes kinks over a gradient;
              whose others are as :func:`addon.bake.gamut.map_colours` has them;
              "leave" leaves what is above 1, but what is below 0 becomes 0
 
@@ -49,7 +53,8 @@ def map_film_colours(rgb, viewing):
     >>> mapped.round(3).tolist(), report.outside
     ([[0.5, 0.4, 0.3], [0.001, 0.102, 0.315]], 0.5)
     """
-    if viewing.gamut == "desaturate":
+    smooth = viewing.gamut in SMOOTHED
+    if smooth:
         mapped = desaturate_smoothly(rgb, rgb_to_xyz(viewing.space)[1])
     else:
         mapped = np.maximum(map_colours(rgb, viewing.gamut, viewing.space)[0], 0.0)
@@ -57,7 +62,8 @@ def map_film_colours(rgb, viewing):
     change = delta_e_2000(lab(seen, viewing.space), lab(shown, viewing.space))
     elsewhere = tuple((space, _outside(rgb @ _between(viewing.space, space).T))
                       for space in SPACES if space != viewing.space)
-    return mapped, FilmGamutReport(_outside(rgb), viewing.gamut, float(change.mean()), float(change.max()),
+    method = "desaturate" if smooth else viewing.gamut
+    return mapped, FilmGamutReport(_outside(rgb), method, float(change.mean()), float(change.max()),
                                    float(np.abs(mapped - rgb).max()), elsewhere)
 
 

@@ -41,18 +41,13 @@ def table_of(text, viewing, of="reflected"):
 
 @functools.lru_cache(maxsize=16)
 def _table(text, viewing, of):
-    light = _smooth(Viewing(**dict(viewing)))
+    light = Viewing(**dict(viewing))
     stack = _in_medium(stack_of(text), light.medium)
     if of == "transmitted":
         rows, columns = _table(text, viewing, "reflected").size
         return film_table(stack, light, rows=rows, columns=max(columns, 8), of=of)
     bright = float(stack.below_constants.at(550.0)[1]) > ABSORBING
     return smallest_table(stack, light, OF_METALS if bright else OF_DARK)
-
-
-def _smooth(viewing):
-    """The same, with the desaturation that makes no kinks over a gradient in place of the nearest colour inside."""
-    return dataclasses.replace(viewing, gamut="desaturate") if viewing.gamut == "nearest" else viewing
 
 
 def _in_medium(stack, medium):
