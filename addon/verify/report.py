@@ -19,6 +19,8 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 img { image-rendering: pixelated; display: block; } small { color: #666; }
 details { margin-top: 1rem; } summary { cursor: pointer; }
 """
+
+
 def _titles():
     """{group of checks: its heading}."""
     return {**{model.name: model.title for model in all_models()}, "data": "Measured data"}
