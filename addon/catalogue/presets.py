@@ -12,6 +12,7 @@ from ..errors import FacetFilmError, choice
 
 __all__ = ["Preset", "all_presets", "constants", "find", "forget", "names"]
 
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Preset:
     """A material of one of the models.

@@ -19,6 +19,8 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 img { image-rendering: pixelated; display: block; } small { color: #666; }
 details { margin-top: 1rem; } summary { cursor: pointer; }
 """
+
+
 def _titles():
     """{group of checks: its heading}."""
     return {**{model.name: model.title for model in all_models()}, "data": "Measured data"}
@@ -111,8 +113,7 @@ def _picture(picture):
 
 def _presets(rows):
     head = (f"<details><summary>How far each of the {len(rows)} presets is from its measured spectrum: largest "
-            "CIEDE2000 over "
-            "angle</summary><table><tr><th>Preset</th><th>Kind</th><th>Dataset</th><th>n and k</th>"
+            "CIEDE2000 over angle</summary><table><tr><th>Preset</th><th>Kind</th><th>Dataset</th><th>n and k</th>"
             "<th>n and k, this Blender</th><th>F0 and F82</th></tr>")
     body = "".join(
         "<tr>" + "".join(f"<td>{html.escape(text)}</td>" for text in row[:3])

@@ -179,8 +179,8 @@ def narrow_lobe(x, v, l, h):
     other = np.cross(x.h, tangent)
 
     def in_frame(w):
-        return (np.sum(w * tangent, axis=-1) * x.a_across, np.sum(w * other, axis=-1) * x.a_along,
-            np.sum(w * x.h, axis=-1))
+        across, along = np.sum(w * tangent, axis=-1) * x.a_across, np.sum(w * other, axis=-1) * x.a_along
+        return across, along, np.sum(w * x.h, axis=-1)
 
     def smith_lambda(w):
         p, q, z = in_frame(w)

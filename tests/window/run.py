@@ -4,8 +4,7 @@
 
 COMMAND starts a Blender with a display, or is a script that does and takes the same arguments. FOLDER (out/window)
 gets a folder a session: its log, its pictures, its profile. A session that failed is run once more, within the first
-five minutes. Exit status 1:
-a step failed; 3: that Blender opened no window, so nothing was tested.
+five minutes. Exit status 1: a step failed; 3: that Blender opened no window, so nothing was tested.
 """
 
 import argparse

@@ -26,7 +26,8 @@ def _after_import(imported, *_):
     for material in materials:
         _renew(material)
     for identifier, image in trees:
-        node_group(identifier, image)
+        if sum(one.get(ID_KEY) == identifier for one in bpy.data.node_groups) > 1:
+            node_group(identifier, image)
 
 
 def _is_for_another_blender(material):

@@ -58,7 +58,8 @@ class _FromMeasurement(OnActiveObject, Viewing):
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         assumed = [line[0].upper() + line[1:] for line in constants.assumed]
-        self.report({"INFO"} if constants.covers_visible else {"WARNING"}, ". ".join([said_of(context.active_object.active_material), *assumed]))
+        said = ". ".join([said_of(context.active_object.active_material), *assumed])
+        self.report({"INFO"} if constants.covers_visible else {"WARNING"}, said)
         return {"FINISHED"}
 
     def draw(self, context):
