@@ -131,7 +131,8 @@ def _what_it_is_made_of(model, resolved, parameters):
         return resolved
     words = parameters.pop(model.made_of, None)
     if resolved is None:
-        return resolve(words if words is not None else getattr(model.parameters(), model.made_of))
+        checked = model.parameters() if words is None else model.parameters(**{model.made_of: words})
+        return resolve(getattr(checked, model.made_of))
     if words is not None:
         raise FacetFilmError("A preset and {name} both say what the material is made of: give one of them.",
                              name=model.made_of)

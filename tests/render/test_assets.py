@@ -9,6 +9,7 @@ import addon
 from addon import api
 from addon.blender.assets import library
 from addon.blender.datablocks import groups, materials
+from addon.blender.datablocks.pictures import image_in
 from tools import build_assets
 
 
@@ -42,7 +43,7 @@ def test_every_preset_and_group_is_an_asset_with_all_that_belongs_to_it(empty):
     assert len(assets.materials) == len(build_assets.held()) > 230
     assert {"Cook-Torrance Fast", "Cook-Torrance Exact", "Layered RGB Fast", "Layered RGB Exact", "Layer Thickness",
             "Fresnel Ramp Copper"} <= {tree.name for tree in assets.node_groups}
-    for asset in (*assets.materials, *assets.node_groups):
+    for asset in (*assets.materials, *(tree for tree in assets.node_groups if tree.asset_data)):
         about = asset.asset_data
         assert about.author == build_assets.AUTHOR and about.license == "CC0-1.0", asset.name
         assert about.catalog_id in catalogues, asset.name
@@ -53,8 +54,10 @@ def test_every_preset_and_group_is_an_asset_with_all_that_belongs_to_it(empty):
 
 
 def test_materials_share_their_groups(empty):
-    used = {materials.our_node(material).node_tree.name for material in loaded(materials=True).materials}
-    assert used == {"Cook-Torrance Fast", "Layered RGB Fast"}
+    """And of films those that show the same image."""
+    used = {materials.our_node(material).node_tree for material in loaded(materials=True).materials}
+    assert {tree.name.partition(".")[0] for tree in used} == {"Cook-Torrance Fast", "Film Fast", "Layered RGB Fast"}
+    assert len(used) == 2 + len({image_in(tree) for tree in used if image_in(tree)})
 
 
 def test_an_asset_is_what_the_preset_gives_in_this_blender(enabled):
