@@ -79,8 +79,9 @@ def resolve_widely(what):
     try:
         return resolve(what)
     except FacetFilmError:
+        from ..bake.stack_notation import is_stack
         from .search import search
-        worded = isinstance(what, str) and what.count("/") < 2
+        worded = isinstance(what, str) and what.count("/") < 2 and not is_stack(what)
         found = [entry for entry in search(what, 20) if entry.dataset] if worded else ()
         if not found:
             raise

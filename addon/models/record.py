@@ -142,7 +142,7 @@ def _of_0_1_0(held, current):
     if "conductor" not in held:
         return current.changed(source=Source(held["name"]), baked=baked)
     viewing = {option: held[option] for option in ("illuminant", "observer", "space")}
-    viewing.update(adapt=held["adapted"], gamut=held["gamut"]["method"])
+    viewing.update(adapt=held["adapted"], gamut=held["gamut"]["method"], medium=held.get("medium", 1.0))
     name = held["source"]["dataset"] if "own_data" in held else held["name"]
     return current.changed(source=Source(name, held.get("own_data", "")), viewing=viewing, baked=baked)
 
