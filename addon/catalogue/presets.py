@@ -135,5 +135,5 @@ def _plain(name):
 def _frozen(value):
     """Lists as tuples, dicts that cannot be changed."""
     if isinstance(value, list):
-        return tuple(map(_frozen, value))
+        return tuple(map(_frozen, value) if isinstance(value and value[0], (list, dict)) else value)
     return MappingProxyType({key: _frozen(item) for key, item in value.items()}) if isinstance(value, dict) else value

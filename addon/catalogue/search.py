@@ -1,13 +1,11 @@
 """Finds presets and datasets by material, author, chemical formula and common name."""
 
 import dataclasses
-import difflib
 import functools
 import re
 import unicodedata
 
 from ..spectra import tables
-from ..spectra.optical_constants import dataset_of_address
 from .presets import all_presets
 
 __all__ = ["Found", "END_OF_NAMES", "forget", "index_line", "search", "words_of"]
@@ -57,13 +55,21 @@ def search(text, limit=50, *, guess=True):
     >>> search("tungstn")[0].dataset.split("/")[1]
     'W'
     """
-    named = dataset_of_address(text) if "/" in str(text) else None
+    named = _addressed(text) if "/" in str(text) else None
     words = words_of(" ".join(named.split("/")[1:]) if named else text)
     found = _fitting(words) if words or not str(text).strip() else []
     if not found and words and guess:
         found = _fitting([_nearest(word) for word in words])
     entry = _entries()[1]
     return [entry(place) for place in found[:limit]]
+
+
+def _addressed(text):
+    """The dataset that a text is the address of, or None."""
+    from ..spectra.optical_constants import (
+        dataset_of_address,  # not before one is typed: the first letter is waited for
+    )
+    return dataset_of_address(text)
 
 
 def words_of(text):
@@ -153,4 +159,5 @@ def _nearest(word):
     """The word itself where it occurs or is short, as formulas are; else the nearest of the materials' names."""
     if len(word) < SHORTEST_GUESSED or any(word in line for line in _lines()):
         return word
+    import difflib  # for a misspelt word alone
     return (difflib.get_close_matches(word, _vocabulary(), 1, MUCH_ALIKE) or [word])[0]
