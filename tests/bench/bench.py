@@ -22,7 +22,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from addon import api
+from addon import api, models
 from addon.blender import compat
 from addon.verify import scenes
 from addon.verify.running import _quiet as quiet
@@ -55,8 +55,8 @@ from pathlib import Path
 def resident():
     return int(Path("/proc/self/statm").read_text().split()[1]) * 4096 / 2 ** 20
 before = resident()
-from addon import api
-for realisation in api.REALISATIONS:
+from addon import api, models
+for realisation in models.named("cook_torrance").realisations:
     api.create_material(preset="copper", realisation=realisation)
 print("grew", resident() - before)
 """
@@ -148,7 +148,7 @@ def interface(other):
 def create_ms():
     """{realisation: median ms of create_material in a file that has the group}."""
     found = {}
-    for realisation in api.REALISATIONS:
+    for realisation in models.named("cook_torrance").realisations:
         api.create_material(preset="copper", realisation=realisation)
         durations = []
         for _ in range(5):

@@ -18,6 +18,7 @@ sys.path.insert(0, str(EXTENSION))
 import bpy  # noqa: E402
 
 from addon import api, export  # noqa: E402
+from addon.models import all_models  # noqa: E402
 from addon.models.making import exported as exported_as  # noqa: E402
 from addon.models.making import made  # noqa: E402
 from addon.spectra.readers import read_file  # noqa: E402
@@ -44,8 +45,8 @@ def rendered(model, realisation):
 
 
 report = {"comma": locale.localeconv()["decimal_point"], "exported": exported(),
-          "rendered": {f"{model} {realisation}": rendered(model, realisation)
-                       for model in api.MODELS for realisation in api.REALISATIONS},
+          "rendered": {f"{model.name} {realisation}": rendered(model.name, realisation)
+                       for model in all_models() for realisation in model.realisations},
           "profile": bpy.utils.resource_path("USER")}
 (OUT / "report.json").write_text(json.dumps(report), encoding="utf-8")
 sys.stdout.flush()

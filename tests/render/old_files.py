@@ -14,7 +14,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from addon import api
+from addon import api, models
 
 __all__ = ["FILE", "COLOURS", "colours"]
 
@@ -66,8 +66,8 @@ def main():
         raise SystemExit("the old file is written by Blender 4.5")
     bpy.ops.wm.read_factory_settings(use_empty=True)
     make_scene()
-    for model in api.MODELS:
-        for realisation in api.REALISATIONS:
+    for model in PRESETS:
+        for realisation in models.named(model).realisations:
             api.create_material(model, preset=PRESETS[model], realisation=realisation,
                                 name=f"{model} {realisation}").use_fake_user = True
     with tempfile.TemporaryDirectory() as folder:  # a file says where it was saved

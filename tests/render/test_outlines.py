@@ -3,12 +3,15 @@
 import numpy as np
 import pytest
 
-from addon import api
+from addon import api, models
 from tests.render import probes
 
 CASES = [
     ("cook_torrance", {"slopes": [(0.1, 1.0)]}), ("cook_torrance", {"slopes": [(0.4, 0.4), (0.2, 0.6)]}),
-    ("layered_rgb", {"preset": "figure_5_79_106_nm"}), ("layered_rgb", {"preset": "nacre"})]
+    ("layered_rgb", {"preset": "figure_5_79_106_nm"}), ("layered_rgb", {"preset": "nacre"}),
+    ("film", {"roughness": 0.3}), ("film", {"stack": "SiO2 300 nm / Si", "roughness": 0.6})]
+WAYS = [(model, parameters, realisation) for model, parameters in CASES
+        for realisation in models.named(model).realisations]
 BRIGHTEST = 3.0
 """Of a pixel under a white sky: no drawn facet weighs more than 5, and no material reflects more than twice what
 arrives.
@@ -29,8 +32,7 @@ def with_normals_all_over(material):
     return material
 
 
-@pytest.mark.parametrize("realisation", api.REALISATIONS)
-@pytest.mark.parametrize("model, parameters", CASES)
+@pytest.mark.parametrize("model, parameters, realisation", WAYS)
 def test_no_bright_specks(model, parameters, realisation):
     scene = probes.empty_scene(48, samples=64, osl=realisation.startswith("osl"))
     probes.set_world(scene, 1.0)
@@ -41,8 +43,7 @@ def test_no_bright_specks(model, parameters, realisation):
     assert picture[20:28, 20:28].mean() > 0.1
 
 
-@pytest.mark.parametrize("realisation", api.REALISATIONS)
-@pytest.mark.parametrize("model, parameters", CASES)
+@pytest.mark.parametrize("model, parameters, realisation", WAYS)
 def test_the_outline_of_a_smoothed_coarse_ball(model, parameters, realisation):
     """Its interpolated normals face away in a wide rim: as bright as the rest of it, each pixel."""
     scene = probes.empty_scene(48, samples=256, osl=realisation.startswith("osl"))
