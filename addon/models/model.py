@@ -120,6 +120,7 @@ class Model:
     write_form    function(form, Record) -> text
     principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
     measured      whether a measurement that is no preset can become a material of it
+    refracts     whether light passes through its materials, which EEVEE has to be told
     """
 
     package: str
@@ -141,6 +142,7 @@ class Model:
     write_form: Callable | None = None
     principled: Callable | None = None
     measured: bool = False
+    refracts: bool = False
 
     @property
     def name(self):

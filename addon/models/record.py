@@ -68,7 +68,7 @@ class Record:
     @property
     def measured(self) -> bool:
         """Whether a measurement was baked into it."""
-        return "conductor" in self.baked
+        return bool(self.viewing)
 
     def changed(self, **fields: Any) -> "Record":
         """The same with other fields."""

@@ -158,7 +158,7 @@ def test_built_files_are_not_kept():
 # --- One model, one folder ---
 
 MAY_NAME_MODELS = re.compile(
-    r"addon/verify/(cook_torrance|layered_rgb)_(checks|scenes)\.py"  # a model's own checks, which need bpy
+    r"addon/verify/(cook_torrance|layered_rgb|clear)_(checks|scenes)\.py"  # a model's own checks, which need bpy
     r"|addon/blender/translations/\w+\.py")
 
 

@@ -29,6 +29,8 @@ TEXTS = {
         "Ein zweites Blender ließ sich nicht starten: {why}",
     "A verification is running":
         "Eine Prüfung läuft",
+    "Absorption":
+        "Absorption",
     "Adapt White":
         "Weiß anpassen",
     "Add Asset Library":
@@ -89,12 +91,20 @@ TEXTS = {
         "CSV der Kurve",
     "CSV of the Spectrum":
         "CSV des Spektrums",
+    "Cauchy b":
+        "Cauchy b",
+    "Cauchy c":
+        "Cauchy c",
     "Check":
         "Prüfen",
     "Check Against a Measurement":
         "Mit einer Messung prüfen",
     "Citation":
         "Quelle",
+    "Clear Dispersive":
+        "Klar, mit Dispersion",
+    "Clear Standard":
+        "Klar, Standard",
     "Clip":
         "Abschneiden",
     "Colour of a preset's mirror over the angle, for any shader":
@@ -103,6 +113,8 @@ TEXTS = {
         "Farbe über dem Winkel: cos_theta, r, g, b",
     "Compare Measurements":
         "Messungen vergleichen",
+    "Concentration":
+        "Konzentration",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
         "Cook und Torrance 1982 mit eingebauten Shadern: mit Licht-Sampling, auf jedem Gerät und in EEVEE",
     "Cook-Torrance Exact":
@@ -125,6 +137,10 @@ TEXTS = {
         "Datensatz {dataset!r} deckt weniger als 50 nm des Sichtbaren, 400 bis 700 nm; bitte einen anderen wählen.",
     "Dataset {dataset!r} has k but no n: no reflectance follows; choose another.":
         "Datensatz {dataset!r} hat k, aber kein n: Daraus folgt kein Reflexionsgrad; bitte einen anderen wählen.",
+    "Depth":
+        "Tiefe",
+    "Depth Color":
+        "Farbe in der Tiefe",
     "Desaturate":
         "Entsättigen",
     "Deviation":
@@ -135,12 +151,18 @@ TEXTS = {
         "Diffus",
     "Diffuse Color":
         "Diffuse Farbe",
+    "Dispersion":
+        "Dispersion",
+    "Dispersive":
+        "Mit Dispersion",
     "Does this Blender render the published formulas? Find out on this machine:":
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Edge Tint":
         "Randtönung",
     "Every parameter":
         "Alle Parameter",
+    "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
+        "Jede Wellenlänge mit eigener Brechzahl, für Regenbögen in Edelsteinen und Prismen; rauscht mehr, und EEVEE zeigt es ohne sie",
     "Everything in this file is of this version":
         "Alles in dieser Datei ist von dieser Version",
     "Everything that was baked":
@@ -187,6 +209,8 @@ TEXTS = {
         "Gauß c",
     "Give a preset that you saved another name":
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
+    "Glass, liquids and gems of one index of refraction, coloured by the way through them":
+        "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
     "Glasses":
         "Gläser",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
@@ -197,6 +221,8 @@ TEXTS = {
         "Gruppe",
     "How the formula becomes a Cycles material":
         "Wie die Formel zu einem Cycles-Material wird",
+    "IOR":
+        "Brechzahl",
     "Illuminant":
         "Lichtart",
     "Import Measurement":
@@ -279,6 +305,8 @@ TEXTS = {
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
     "Other Conductors":
         "Andere Leiter",
+    "Outside IOR":
+        "Brechzahl außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
     "Oxides":
@@ -331,6 +359,8 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Roughness":
+        "Rauheit",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "Läuft in einem zweiten Blender, das Blender als Python-Modul fehlt: python -m addon verify aufrufen",
     "Sampling Width":
@@ -341,8 +371,12 @@ TEXTS = {
         "Speichert das aktive Material unter eigenem Namen oder löscht ein gespeichertes",
     "Scale":
         "Skalieren",
+    "Scene Scale":
+        "Maßstab der Szene",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
+    "See-through Shadows":
+        "Durchscheinende Schatten",
     "Select a group node of Facet & Film first":
         "Erst einen Gruppen-Node von Facet & Film auswählen",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
@@ -413,6 +447,8 @@ TEXTS = {
         "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
+    "The same with the colours of the rainbow, each refracted by its own index":
+        "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
     "The second Blender ended with status {:d}: {:s}":
@@ -427,6 +463,8 @@ TEXTS = {
         "Dicke",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
+    "Thin Walled":
+        "Dünnwandig",
     "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
         "Dieses Blender ist ohne OSL gebaut: die Realisierung Exakt oder Schnell nehmen, die dasselbe Material rendern",
     "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
@@ -439,6 +477,8 @@ TEXTS = {
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
+    "Tint":
+        "Tönung",
     "Towards grey of the same luminance, until inside: the hue stays":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
     "Update Materials":
