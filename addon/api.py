@@ -46,7 +46,8 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     """A Cycles material.
 
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
-    preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters alone
+    preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters
+                 alone
     realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL)
                  or "osl_fast" (closures, by OSL)
     name         of the new material; by default the preset's title

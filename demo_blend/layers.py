@@ -8,7 +8,8 @@ from .pictures import labelled, row
 from .studio import add_camera, add_cove, add_lamp, new_scene, set_sky
 from .turned import JAR_PROFILE, turned_object
 
-FIGURE_2 = (("1–30 nm, index 1.5\nold metal", "figure_2_old_metal"), ("1–210 nm, index 1.3\ncoloured", "figure_2_coloured"),
+FIGURE_2 = (("1–30 nm, index 1.5\nold metal", "figure_2_old_metal"),
+            ("1–210 nm, index 1.3\ncoloured", "figure_2_coloured"),
             ("67–73 nm, index 1.4\nclay", "figure_2_clay"))
 FIGURE_3 = (("parallel boundaries", "figure_3_parallel"), ("deviation 10°", "figure_3_deviation"))
 FIGURE_4 = (("deviation along the gradient of the thickness", "figure_4"),)

@@ -99,7 +99,7 @@ def copper_over_angle(job):
     for j, (letter, name, title) in enumerate((("b", "exact", "exact"), ("c", "colour_shift", "cheap colour shift"))):
         ax = canvas.add_subplot(grid[j, 1])
         rgb = np.array(found[name].rgb)
-        for (channel, colour), values in zip(CHANNELS, rgb.T):
+        for (_, colour), values in zip(CHANNELS, rgb.T):
             ax.plot(np.arange(90), values, color=colour, lw=1.2)
         ax.imshow(encode(map_colours(rgb)[0])[None], extent=(0, 90, 0.0, 0.32), aspect="auto")
         off = f", up to {found[name].delta_e_2000_max:.0f} CIEDE2000 off" if name != "exact" else ""
@@ -162,12 +162,13 @@ def layer_exit_angle(job, polar=10.0, thickness=92.0):
         n1 = layered.tilted_normal(UP, EAST, NORTH, np.radians(deviation), 0.0)
         cosines = layered.inner_products(light, views, UP, n1, INDEX)
         rho = layered.layered_specular(cosines, INDEX, thickness, LAYER_NM, E0, E1)
-        for j, (name, colour) in enumerate(CHANNELS):
+        for j, (_, colour) in enumerate(CHANNELS):
             ax.plot(degrees, rho[:, j], color=colour, lw=1.2)
         ax.imshow(_colours(rho)[None], extent=(-40, 70, -0.3 * rho.max(), 0.0), aspect="auto")
         ax.axvline(polar, color="0.6", lw=0.8)
         ax.set(ylim=(-0.3 * rho.max(), 1.05 * rho.max()), ylabel="ρ in 1/sr", title=f"deviation {deviation:g}°")
-    axes[-1].set_xlabel(f"exit angle in degrees; light from {polar:g}°, its mirror direction in grey; d = {thickness:g} nm")
+    axes[-1].set_xlabel(f"exit angle in degrees; light from {polar:g}°, its mirror direction in grey; "
+                        f"d = {thickness:g} nm")
     _write(job, canvas, "plots_layer_exit_angle.png")
 
 

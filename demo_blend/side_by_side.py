@@ -72,7 +72,8 @@ def realisations(job):
 def versions(job):
     """Each material by Exact in this Blender and in the other."""
     if not job.other:
-        raise RuntimeError("needs a second Blender: --other PYTHON, which make figures sets up where its Python is there")
+        raise RuntimeError("needs a second Blender: --other PYTHON, which make figures sets up where its Python is "
+                           "there")
     import bpy
     here, size, rows = _in_this_blender(job), max(1, round(14 * job.scale)), []
     with tempfile.TemporaryDirectory() as folder:

@@ -154,8 +154,9 @@ def figure_8(job):
     for part in build_watch():
         bpy.context.view_layer.update()
         part.matrix_world = whole @ part.matrix_world
-    cushion = turned_object("Cushion", ((0, -0.86), (0.7, -0.84), (1.08, -0.76), (1.2, -0.62), (1.215, 0.0), (1.2, 0.62),
-                                        (1.08, 0.76), (0.7, 0.84), (0, 0.86)), matt("Velvet", (0.03, 0.012, 0.016)))
+    cushion = turned_object("Cushion", ((0, -0.86), (0.7, -0.84), (1.08, -0.76), (1.2, -0.62), (1.215, 0.0),
+                                        (1.2, 0.62), (1.08, 0.76), (0.7, 0.84), (0, 0.86)),
+                            matt("Velvet", (0.03, 0.012, 0.016)))
     cushion.matrix_world = whole @ Matrix.Rotation(math.pi / 2, 4, "Y")
     add_softbox(scene, Vector((-3.2, -3.6, 6.4)), (0.0, 0.0, 1.4), (4.5, 3.2), 1.3)
     set_sky(scene, 0.45, 0.22, 0.06)

@@ -62,7 +62,8 @@ def ensure(again=False):
     data = {*(ROOT / "addon" / "models").glob("*/presets.json"), *(ROOT / "addon" / "spectra" / "data").iterdir(),
             *THUMBNAILS.glob("*.png")}
     stamps.write(STAMP, stamps.loaded_sources() | data)
-    print(f"{count} assets built in {time.perf_counter() - start:.0f} s, {FILE.stat().st_size / 1024:.0f} kB", flush=True)
+    took, size = time.perf_counter() - start, FILE.stat().st_size / 1024
+    print(f"{count} assets built in {took:.0f} s, {size:.0f} kB", flush=True)
     return True
 
 

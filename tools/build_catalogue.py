@@ -30,11 +30,13 @@ INTRODUCTION = """\
 <!-- Made by {tool} from the models' presets.json and the {source},
 {version} ({licence}). Edit those, not this. -->
 
-{count} presets of all models, {metals} of them metals and alloys. Each name works in `bake`, in `create_material(preset=…)`, and
-in the panel; so do the other names. Beyond these, every dataset of refractiveindex.info that covers the visible can
-be baked by its id, such as `main/Cu/Johnson`: `python -m addon search TEXT` finds them.
+{count} presets of all models, {metals} of them metals and alloys. Each name works in `bake`, in
+`create_material(preset=…)`, and in the panel; so do the other names. Beyond these, every dataset of
+refractiveindex.info that covers the visible can be baked by its id, such as `main/Cu/Johnson`:
+`python -m addon search TEXT` finds them.
 
-- **Colour** shows the preset on a ball in a studio, and is the mirror's at normal incidence, as sRGB, brought into the gamut where it lies outside (marked \\*).
+- **Colour** shows the preset on a ball in a studio, and is the mirror's at normal incidence, as sRGB, brought into the
+  gamut where it lies outside (marked \\*).
 - **F0** and **F82 tint** are linear Rec.709 in D65 for the 2° observer, before that.
 - **s** is the specular fraction (the diffuse one is d = 1 − s); **m** the rms slope, with each one's share where
   there are several. Those of the paper's figures are the paper's; all others are chosen to look like the material
@@ -78,7 +80,8 @@ def line(cells):
 
 def unmeasured_row(preset):
     """The cells of a preset that was not measured."""
-    return (f"`{preset.name}`", ", ".join(dict.fromkeys([preset.title, *preset.aliases])), picture(preset.name), preset.note)
+    called = ", ".join(dict.fromkeys([preset.title, *preset.aliases]))
+    return (f"`{preset.name}`", called, picture(preset.name), preset.note)
 
 
 def row(preset, bake, surface, citations):

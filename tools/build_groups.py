@@ -2,8 +2,8 @@
 
     python tools/build_groups.py [--again] [--record]
 
-A file for every group but those of OSL, whose compiled code belongs to one Blender version.  A file that an older Blender
-wrote opens in a newer one, so one library serves all.  --record writes the groups' fingerprints into
+A file for every group but those of OSL, whose compiled code belongs to one Blender version.  A file that an older
+Blender wrote opens in a newer one, so one library serves all.  --record writes the groups' fingerprints into
 node_groups/versions.json, and refuses where a group has changed and its version has not.
 """
 

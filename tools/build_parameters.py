@@ -17,7 +17,8 @@ FILE = ROOT / "docs" / "parameters.md"
 HEAD = """\
 # Parameters
 
-<!-- Made by tools/build_parameters.py from the models' tables, addon/models/<model>/parameters.py. Edit those, not this. -->
+<!-- Made by tools/build_parameters.py from the models' tables, addon/models/<model>/parameters.py.
+Edit those, not this. -->
 
 What `create_material` takes, what the panels and group nodes show, and what a preset sets. A value out of its range is
 answered with one sentence, and nothing is made.
@@ -37,14 +38,16 @@ def _section(model):
     table = "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
     others = ", ".join(f"{socket.name} ({socket.tip[0].lower()}{socket.tip[1:]})" for row in model.parameters.TABLE
                        if not row.is_value for socket in row.sockets())
-    return f"## {model.title}\n\n{model.citation}. `create_material(\"{model.name}\", …)`\n\n{table}\n\n{LIVE_ONLY}{others}.\n"
+    head = f"## {model.title}\n\n{model.citation}. `create_material(\"{model.name}\", …)`"
+    return f"{head}\n\n{table}\n\n{LIVE_ONLY}{others}.\n"
 
 
 def _cells(row):
     sockets = ", ".join(socket.name for socket in row.sockets())
     limited = f" Only by {' and '.join(row.realisations)}." if row.realisations else ""
     unit = f" {row.unit}" if row.unit else ""
-    return (f"`{row.name}`", row.symbol, sockets, _value(getattr(row, "usual", row.default)), row.range_text() + unit, row.tip + "." + limited)
+    default = _value(getattr(row, "usual", row.default))
+    return (f"`{row.name}`", row.symbol, sockets, default, row.range_text() + unit, row.tip + "." + limited)
 
 
 def _value(value):

@@ -27,7 +27,8 @@ def build(folder):
         materials.append(of_dataset(record, index, values))
     about = {"title": "What the search reads: presets, then datasets by shelf",
              "source": "presets.json, names.json, refractiveindex.table",
-             "version": tables.about("refractiveindex")["version"], "licence": "CC0-1.0", "tool": "tools/build_search.py"}
+             "version": tables.about("refractiveindex")["version"], "licence": "CC0-1.0",
+             "tool": "tools/build_search.py"}
     found, words = map(list, zip(*materials))
     tables.pack(folder / "search.table", about, {"found": found, "words": words, "presets": {"names": presets.names()}})
     return len(materials)

@@ -17,7 +17,7 @@ import numpy as np  # noqa: E402
 from addon import api  # noqa: E402
 from addon.blender import compat  # noqa: E402
 from addon.verify import layered_rgb_scenes as layered_scenes  # noqa: E402
-from addon.verify import scenes
+from addon.verify import scenes  # noqa: E402
 from tools.png_file import png_bytes  # noqa: E402
 
 __all__ = ["SPHERES", "pair"]

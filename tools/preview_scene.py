@@ -124,7 +124,8 @@ def _add_surroundings(scene):
         element.color = (radiance, radiance, radiance, 1.0)
     background = tree.nodes.new("ShaderNodeBackground")
     output = tree.nodes.new("ShaderNodeOutputWorld")
-    for source, target in ((direction.outputs["Generated"], parts.inputs[0]), (parts.outputs["Z"], height.inputs["Value"]),
+    for source, target in ((direction.outputs["Generated"], parts.inputs[0]),
+                           (parts.outputs["Z"], height.inputs["Value"]),
                            (height.outputs["Result"], ramp.inputs[0]), (ramp.outputs["Color"], background.inputs[0]),
                            (background.outputs[0], output.inputs[0])):
         tree.links.new(source, target)

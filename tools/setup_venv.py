@@ -62,7 +62,7 @@ def missing_libraries():
 
 def running_python():
     """Version of the running Python as the requirement files name it, like "3.11"."""
-    return "%d.%d" % sys.version_info[:2]
+    return f"{sys.version_info.major}.{sys.version_info.minor}"
 
 
 def requirement_file(bpy):

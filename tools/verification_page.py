@@ -11,14 +11,14 @@ OUT = Path(__file__).resolve().parent.parent / "docs" / "verification.md"
 MODELS = {"cook_torrance": "Cook–Torrance", "layered_rgb": "Layered RGB", "data": "Measured data"}
 HEAD = """# Verification
 
-`make verify`, `python -m addon verify` where bpy is installed, `blender --command facet_film verify`, or the button in the
-extension's preferences: this Blender renders the probes of every model and realisation, on the CPU or the GPU, and holds
-the pixels against the formulas by quadrature. The report is one HTML page with reference, render and difference of each
-check, and its first line says whether all passed. Below are the figures of the last reports.
+`make verify`, `python -m addon verify` where bpy is installed, `blender --command facet_film verify`, or the button in
+the extension's preferences: this Blender renders the probes of every model and realisation, on the CPU or the GPU, and
+holds the pixels against the formulas by quadrature. The report is one HTML page with reference, render and difference
+of each check, and its first line says whether all passed. Below are the figures of the last reports.
 
 A figure passes when it is at most its limit. |z| is a difference in standard errors of independent seeds; its limit is
-what chance exceeds once in a thousand runs of the check (Student's t, Šidák's correction). The tests show each check failing when
-the material it renders differs from its formula.
+what chance exceeds once in a thousand runs of the check (Student's t, Šidák's correction). The tests show each check
+failing when the material it renders differs from its formula.
 """
 
 

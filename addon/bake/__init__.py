@@ -2,10 +2,12 @@
 
 from importlib import import_module
 
-__all__ = ["bake", "Bake", "check", "Check", "spread", "Spread", "ways", "Ways", "FORMULAS"]
+__all__ = ["bake", "Bake", "check", "Check", "spread", "Spread", "ways", "Ways", "preview", "preview_text",
+           "Preview", "FORMULAS"]
 
 PLACES = {"bake": "baking", "Bake": "baking", "FORMULAS": "baking", "check": "checking", "Check": "checking",
-          "spread": "checking", "Spread": "checking", "ways": "paper", "Ways": "paper"}
+          "spread": "checking", "Spread": "checking", "ways": "paper", "Ways": "paper",
+          "preview": "previewing", "preview_text": "previewing", "Preview": "previewing"}
 """Name -> module, loaded with its first use: who bakes waits for nothing else."""
 
 

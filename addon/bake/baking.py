@@ -11,7 +11,7 @@ from ..reflectance import fresnel
 from .colour import lab
 from .curve import knots
 from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_of
-from .gamut import GamutReport
+from .gamut import DEFAULT, GamutReport
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
 
 __all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "plain", "bake_with_index", "FORMULAS"]
@@ -37,6 +37,7 @@ class Source(NamedTuple):
     licence: str
     wavelength_range_nm: tuple
     covers_visible: bool  # 400 to 700 nm; else the ends are held
+    assumed: tuple = ()  # what a reader of files took for granted, a line each
 
 
 class ConductorFit(NamedTuple):
@@ -71,7 +72,8 @@ class Bake(NamedTuple):
     are after.  best names the closer one of "conductor" and "f82".  white is
     what a perfect reflector is in this light: neutral in D65 and where adapted.
     estimated says what of the preset is no measurement, and from what it was
-    guessed; "" where all is measured.
+    guessed; "" where all is measured.  medium is the index of what is outside,
+    or the dataset of it.
     """
 
     name: str
@@ -92,6 +94,7 @@ class Bake(NamedTuple):
     adapted: bool
     white: tuple
     estimated: str
+    medium: object = 1.0
 
     def to_dict(self):
         """The same as dicts, lists, numbers and text, ready for JSON.
@@ -102,8 +105,8 @@ class Bake(NamedTuple):
         return plain(self)
 
 
-def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut="desaturate",
-         formula="exact", from_normal_reflectance=False):
+def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut=DEFAULT,
+         formula="exact", from_normal_reflectance=False, medium=1.0):
     """Bake a material: F(λ,θ) to linear RGB at every angle, and per channel the closest parameters.
 
     preset      what :func:`addon.catalogue.resolving.resolve` understands: a preset's name, a dataset's id
@@ -112,6 +115,7 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     formula     "exact" (Blender 5.0 and later) or "blender-4.5": for which n and k are fitted
     from_normal_reflectance  the paper's way where only the normal reflectance
                 is known: k = 0 and an effective n a wavelength
+    medium      what the surface is in: its index, or a clear material; n and k are relative to it
 
     Returns a Bake.  Raises FacetFilmError for anything unknown, with the nearest names.
 
@@ -119,7 +123,7 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     [0.932, 0.623, 0.522]
     """
     choice("formula", formula, FORMULAS)
-    viewing = Viewing(illuminant, observer, space, adapt, gamut)
+    viewing = Viewing(illuminant, observer, space, adapt, gamut, medium)
     found = require_measured(preset)
     reflected, metric, target_lab, f82, curve = _whatever_the_formula(found, viewing, from_normal_reflectance)
     colours, mapped = reflected.colours, reflected.mapped
@@ -128,8 +132,8 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     return Bake(
         name=record.name, title=record.title, kind=record.kind,
         source=Source(constants.dataset, constants.citation, constants.licence, constants.range_nm,
-                      constants.covers_visible),
-        illuminant=viewing.illuminant, observer=viewing.observer, space=space,
+                      constants.covers_visible, constants.assumed),
+        illuminant=viewing.illuminant, observer=viewing.observer, space=viewing.space,
         f0=tuple(colours[AT_NORMAL].tolist()),
         f82_tint=tuple(fresnel.f82_tint_of(colours[AT_NORMAL], colours[AT_82]).tolist()),
         conductor=conductor, f82=f82,
@@ -137,7 +141,7 @@ def bake(preset, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
         gamut=reflected.gamut, normal_rgb=tuple(mapped[AT_NORMAL].tolist()),
         best="conductor" if conductor.delta_e_2000_max <= f82.delta_e_2000_max else "f82",
         adapted=viewing.adapt, white=tuple(viewing.weights.sum(axis=0).tolist()),
-        estimated=record.estimated)
+        estimated=record.estimated, medium=getattr(viewing.medium, "dataset", viewing.medium))
 
 
 def bake_with_index(preset, n, k, **viewing):
@@ -151,8 +155,9 @@ def bake_with_index(preset, n, k, **viewing):
     >>> [round(x, 3) for x in glass.f0], glass.conductor.delta_e_2000_max > 20.0
     ([0.04, 0.04, 0.04], True)
     """
-    found, space = require_measured(preset), viewing.get("space", Viewing.space)
-    reflected, _, target_lab, _, _ = _whatever_the_formula(found, Viewing(**viewing), False)
+    found, seen = require_measured(preset), Viewing(**viewing)
+    space = seen.space
+    reflected, _, target_lab, _, _ = _whatever_the_formula(found, seen, False)
     rgb = fresnel.conductor(ANGLES[:, None], np.array(n), np.array(k))
     changed_lab = lab(rgb, space)
     metric = colour_metric(rgb[FITTED], changed_lab[FITTED], space)

@@ -1,6 +1,7 @@
 """How far given parameters lie from a measured material, and measurements of one from each other."""
 
 import dataclasses
+import re
 
 import numpy as np
 
@@ -9,11 +10,16 @@ from ..errors import FacetFilmError, choice, numbers_of
 from ..reflectance import fresnel
 from ..spectra import names, optical_constants
 from .baking import CURVE_TOLERANCE, FORMULAS, FresnelCurve, plain
-from .colour import delta_e_2000, lab
+from .colour import delta_e_2000, lab, rgb_to_xyz
 from .curve import knots
+from .gamut import DEFAULT
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
 
-__all__ = ["Check", "check", "Measurement", "Spread", "spread"]
+__all__ = ["Check", "check", "colour_given", "Measurement", "Spread", "spread"]
+
+
+LARGEST_LINEAR = 4.0
+"""Of a linear colour: no mirror is brighter in one channel; from there on numbers are those of sRGB, to 255."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,13 +57,15 @@ class Check:
 
 
 def check(against, *, n=None, k=None, f0=None, tint=None, preset=None, formula="exact",
-          illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut="desaturate"):
+          illuminant="D65", observer="1931", space="Rec.709", adapt=False, gamut=DEFAULT, medium=1.0):
     """The Check of n and k, of F0 and F82 tint, or of a material, against a measured material.
 
     against  what names a material: see addon.catalogue.resolving
     n, k     RGB, ``(3,)`` each, n above 0, k at or above 0; evaluated by the formula "exact" or "blender-4.5"
-    f0, tint RGB, ``(3,)`` each, in [0, 1]; the tint is 1 where it is not given
+    f0, tint RGB, ``(3,)`` each, linear; above 1 where a colour is outside the gamut; or "#ffd98b", or 0 to 255 as
+             sRGB has them; the tint is 1 where it is not given
     preset   what names a material: see addon.catalogue.resolving
+    medium   what the surfaces are in, as :func:`~addon.bake.baking.bake` has it
 
     One of n with k, f0, and preset is given.  Colours of materials are those
     after gamut mapping: what can be rendered.  Raises FacetFilmError otherwise.
@@ -65,7 +73,8 @@ def check(against, *, n=None, k=None, f0=None, tint=None, preset=None, formula="
     >>> round(check("copper", n=(0.2, 1.0, 1.3), k=(3.2, 2.6, 2.4)).delta_e_2000_max, 1)
     0.5
     """
-    viewing = Viewing(illuminant, observer, space, adapt, gamut)
+    viewing = Viewing(illuminant, observer, space, adapt, gamut, medium)
+    space = viewing.space
     target = reflect(against, viewing)
     given, rgb = _given(n, k, f0, tint, preset, formula, viewing)
     difference = delta_e_2000(lab(target.mapped, space), lab(rgb, space))
@@ -88,11 +97,42 @@ def _given(n, k, f0, tint, preset, formula, viewing):
         n, k = numbers_of("n", n, 3, above=0), numbers_of("k", k, 3, low=0)
         return "n and k", FORMULAS[choice("formula", formula, FORMULAS)](c, np.array(n), np.array(k))
     if f0 is not None:
-        f0 = numbers_of("F0", f0, 3, 0, 1)
-        tint = numbers_of("F82 tint", (1, 1, 1) if tint is None else tint, 3, 0, 1)
-        return "F0 and F82 tint", fresnel.f82(c, np.array(f0), np.array(tint))
+        f0 = colour_given("F0", f0, viewing.space)
+        tint = colour_given("F82 tint", (1, 1, 1) if tint is None else tint, viewing.space)
+        b = fresnel.f82_factor(np.array(f0), np.array(tint))
+        return "F0 and F82 tint", viewing.map(fresnel.f82_unclamped(c, np.array(f0), b))[0]
     reflected = reflect(preset, viewing)
     return f"{reflected.preset.title} ({reflected.constants.dataset})", reflected.mapped
+
+
+def colour_given(name, value, space="Rec.709"):
+    """Linear RGB, ``(3,)``, of a colour as people give it: linear numbers, sRGB as "#ffd98b", or as 0 to 255.
+
+    >>> colour_given("F0", (1.059, 0.773, 0.307)), [round(x, 3) for x in colour_given("F0", "#ffffff")]
+    ((1.059, 0.773, 0.307), [1.0, 1.0, 1.0])
+    """
+    if isinstance(value, str):
+        digits = value.strip().removeprefix("#").removeprefix("0x")
+        digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
+        if not re.fullmatch("[0-9a-fA-F]{6}", digits):
+            raise FacetFilmError("{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.",
+                                 name=name, value=value)
+        return _linear_of_srgb([int(digits[at:at + 2], 16) for at in (0, 2, 4)], space)
+    numbers = numbers_of(name, value, 3, -1, 255)
+    if max(numbers) <= LARGEST_LINEAR:
+        return numbers
+    if min(numbers) < 0 or any(number != round(number) for number in numbers):
+        raise FacetFilmError("{name} {value!r} is no colour: linear numbers go to {most}, "
+                             "and whole ones to 255 are sRGB.",
+                             name=name, value=value, most=f"{LARGEST_LINEAR:g}")
+    return _linear_of_srgb(numbers, space)
+
+
+def _linear_of_srgb(of_255, space):
+    """Linear RGB in a space of sRGB numbers from 0 to 255.  IEC 61966-2-1."""
+    share = np.array(of_255, float) / 255.0
+    linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    return tuple(np.linalg.solve(rgb_to_xyz(space), rgb_to_xyz("Rec.709") @ linear).tolist())
 
 
 def _anchors(rgb):
@@ -161,6 +201,7 @@ def spread(what, *, illuminant="D65", observer="1931", space="Rec.709", adapt=Fa
     'main/Au/Babar'
     """
     viewing = Viewing(illuminant, observer, space, adapt, "leave")
+    space = viewing.space
     reference = _dataset_of(what)
     found = [reflect(dataset, viewing) for dataset in _same_material(reference)]
     labs = lab(np.stack([reflected.colours for reflected in found]), space)

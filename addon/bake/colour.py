@@ -1,13 +1,14 @@
 """From tristimulus values to linear RGB, and the colour difference CIEDE2000."""
 
 import functools
+import re
 
 import numpy as np
 
-from ..errors import choice
+from ..errors import FacetFilmError, choice
 from ..spectra import illuminants, observers
 
-__all__ = ["SPACES", "rgb_to_xyz", "spectral_weights", "lab", "delta_e_2000", "BRADFORD"]
+__all__ = ["SPACES", "canonical_space", "rgb_to_xyz", "spectral_weights", "lab", "delta_e_2000", "BRADFORD"]
 
 D65 = (0.3127, 0.3290)
 SPACES = {
@@ -17,7 +18,35 @@ SPACES = {
 }
 """Chromaticities x, y of the primaries and of the white of the scene-linear spaces."""
 
+ALIASES = {
+    "rec709": "Rec.709", "bt709": "Rec.709", "709": "Rec.709", "srgb": "Rec.709", "linsrgb": "Rec.709",
+    "linear": "Rec.709", "rec2020": "Rec.2020", "bt2020": "Rec.2020", "2020": "Rec.2020", "acescg": "ACEScg",
+    "ap1": "ACEScg", "aces": "ACEScg",
+}
+"""What people call the spaces: letters and digits only, without "linear" before or after."""
+NEAREST = {"p3": "Rec.2020", "displayp3": "Rec.2020", "dcip3": "Rec.2020", "p3d65": "Rec.2020", "adobergb": "Rec.2020",
+           "ap0": "ACEScg", "aces20651": "ACEScg", "prophoto": "ACEScg", "romm": "ACEScg"}
+"""Spaces that are not there, and the one that comes nearest."""
+
 BRADFORD = np.array([[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]])
+
+
+def canonical_space(space):
+    """The name that SPACES has for a space, however it is spelt.
+
+    Raises FacetFilmError for a space that is not there, with the nearest.
+
+    >>> canonical_space("Linear Rec.709"), canonical_space("sRGB"), canonical_space("AP1")
+    ('Rec.709', 'Rec.709', 'ACEScg')
+    """
+    if isinstance(space, str) and space in SPACES:
+        return space
+    plain = re.sub("[^a-z0-9]", "", str(space).lower())
+    plain = plain if plain == "linear" else re.sub("linear|scene|itur?|encoded", "", plain)
+    if plain in NEAREST:
+        raise FacetFilmError("{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.", name="space",
+                             value=space, near=(NEAREST[plain],), valid=", ".join(map(repr, SPACES)))
+    return choice("space", ALIASES.get(plain, space), SPACES)
 
 
 def _xyz_of(x_y):

@@ -22,12 +22,14 @@ SPACE_ITEMS = (
     ("ACEScg", "ACEScg", "ACEScg"),
 )
 GAMUT_ITEMS = (
-    ("desaturate", "Desaturate", "Towards grey of the same luminance, until inside: the hue stays"),
+    ("nearest", "Nearest", "The colour inside that looks most alike, by CIEDE2000"),
+    ("desaturate", "Desaturate", "Towards grey of the same luminance, until inside: the 1982 paper's way"),
     ("scale", "Scale", "Darken all colours of the material alike, until the largest channel fits"),
     ("clip", "Clip", "Cut every channel off at 0 and 1"),
     ("leave", "Leave", "Keep colours outside of the gamut"),
 )
 SAME_AS_FILE = "FILE"
+IN_AIR = ("", "air", "1", "1.0")
 
 
 def search_presets(_settings, _context, text):
@@ -73,6 +75,10 @@ class Viewing:
         name="Working Space", items=SPACE_ITEMS, description="Scene-linear space that the colours are written in")
     gamut: bpy.props.EnumProperty(
         name="Gamut", items=GAMUT_ITEMS, description="What to do with colours that the working space cannot hold")
+    medium: bpy.props.StringProperty(
+        name="Outside", default="air", search=lambda _self, _context, text: picker.lines(text),
+        search_options={"SUGGESTION"},
+        description="What the surface is in: air, an index such as 1.33, or a clear material such as water")
     adapt: bpy.props.BoolProperty(
         name="Adapt White", default=False,
         description="A perfect reflector is neutral in any light, as for an eye that is used to it")
@@ -82,6 +88,8 @@ def viewing_of(properties):
     """The chosen light, observer, space and gamut as addon.api.bake takes them."""
     found = {"illuminant": properties.illuminant, "observer": properties.observer, "gamut": properties.gamut,
              "adapt": properties.adapt}
+    if properties.medium.strip().lower() not in IN_AIR:
+        found["medium"] = picker.name_in(properties.medium)
     if properties.space != SAME_AS_FILE:
         found["space"] = properties.space
     return found

@@ -12,13 +12,15 @@ from ..errors import FacetFilmError, choice
 
 __all__ = ["Preset", "all_presets", "constants", "find", "forget", "names"]
 
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Preset:
     """A material of one of the models.
 
     name         what scripts call it: small letters, digits and underscores
     title        what people call it
-    kind         one of addon.catalogue.kinds.KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of` says
+    kind         one of addon.catalogue.kinds.KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of`
+                 says
     model        the model that it is a material of; "" for a dataset or file, which any that takes a measurement may be
     dataset      "shelf/book/page" that it was measured as, or "" where there is none
     index        in place of a dataset: ((wavelength in nm, n, k), …)
@@ -133,5 +135,5 @@ def _plain(name):
 def _frozen(value):
     """Lists as tuples, dicts that cannot be changed."""
     if isinstance(value, list):
-        return tuple(map(_frozen, value))
+        return tuple(map(_frozen, value) if isinstance(value and value[0], (list, dict)) else value)
     return MappingProxyType({key: _frozen(item) for key, item in value.items()}) if isinstance(value, dict) else value

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ..errors import FacetFilmError
 from ..spectra import names, observers
-from ..spectra.optical_constants import OpticalConstants, load
+from ..spectra.optical_constants import OpticalConstants, dataset_of_address, load
 from . import presets
 from .presets import Preset
 
@@ -28,11 +28,12 @@ class Resolved(NamedTuple):
         return self.constants is not None and not self.preset.model and not _is_dataset(self.preset.dataset)
 
 
-def resolve(what):
+def resolve(what, choose=()):
     """The Resolved of whatever names a material.
 
-    what  a preset's name, alias or title, a dataset's id "shelf/book/page", the path of a file, a table of several
-          lines as text, OpticalConstants, or a Resolved
+    what    a preset's name, alias or title; a dataset's id "shelf/book/page", or the address of its page; the path of a
+            file, a table of several lines as text; OpticalConstants, or a Resolved
+    choose  of a file that holds or can mean several things: which, as :func:`addon.spectra.readers.read_file` has it
 
     A preset's name is that preset, whatever file lies in the folder.  Raises FacetFilmError, with what comes nearest.
 
@@ -49,15 +50,20 @@ def resolve(what):
         raise FacetFilmError("A material is a preset's name or a dataset's id, not {value!r}.", value=what)
     from ..spectra import readers
     if "\n" in what:
-        return resolve(readers.read_text(what))
-    if what.lower().endswith(readers.SUFFIXES):
-        return resolve(readers.read_file(what))
+        return resolve(readers.read_text(what, choose=choose))
+    if what.lower().endswith(readers.SUFFIXES) and not _is_address(what):
+        return resolve(readers.read_file(what, choose))
     try:
         return _named(what)
     except FacetFilmError:
         if os.path.isfile(what):
-            return resolve(readers.read_file(what))
+            return resolve(readers.read_file(what, choose))
         raise
+
+
+def _is_address(what):
+    """Whether what looks like a file is none, and names a dataset of the database."""
+    return not os.path.exists(what) and dataset_of_address(what) is not None
 
 
 def resolve_widely(what):
@@ -70,7 +76,8 @@ def resolve_widely(what):
         return resolve(what)
     except FacetFilmError:
         from .search import search
-        found = [entry for entry in search(what, 20) if entry.dataset] if isinstance(what, str) and what.count("/") < 2 else ()
+        worded = isinstance(what, str) and what.count("/") < 2
+        found = [entry for entry in search(what, 20) if entry.dataset] if worded else ()
         if not found:
             raise
         return resolve(found[0].dataset)

@@ -1,7 +1,6 @@
 """Finds presets and datasets by material, author, chemical formula and common name."""
 
 import dataclasses
-import difflib
 import functools
 import re
 import unicodedata
@@ -15,7 +14,9 @@ __all__ = ["Found", "END_OF_NAMES", "forget", "index_line", "search", "words_of"
 EXACT, BEGINNING, ELSEWHERE, IN_THE_NOTES = 8, 4, 2, 1
 END_OF_NAMES = "|"
 """In a line of the index, between the words of a material's names and all its other words."""
-WORD = re.compile(r"[a-z0-9α-ω.]+")
+WORD = re.compile(r"[a-z0-9α-ω.\u4e00-\u9fff]+")
+SHORTEST_GUESSED, MUCH_ALIKE = 5, 0.88
+"""Of words that are read as others: how long, and how alike, 1 being the same."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -43,7 +44,7 @@ class Found:
 def search(text, limit=50, *, guess=True):
     """The materials that every word of the text fits, best first.
 
-    text   words in any order: "brass", "gold babar", "TiO2", "titanium oxide"
+    text   words in any order: "brass", "gold babar", "TiO2", "titanium oxide"; or the address of a dataset's page
     limit  at most so many; None for all
     guess  whether words of which nothing is known are read as the nearest known ones
 
@@ -54,12 +55,21 @@ def search(text, limit=50, *, guess=True):
     >>> search("tungstn")[0].dataset.split("/")[1]
     'W'
     """
-    words = words_of(text)
-    found = _fitting(words)
+    named = _addressed(text) if "/" in str(text) else None
+    words = words_of(" ".join(named.split("/")[1:]) if named else text)
+    found = _fitting(words) if words or not str(text).strip() else []
     if not found and words and guess:
         found = _fitting([_nearest(word) for word in words])
     entry = _entries()[1]
     return [entry(place) for place in found[:limit]]
+
+
+def _addressed(text):
+    """The dataset that a text is the address of, or None."""
+    from ..spectra.optical_constants import (
+        dataset_of_address,  # not before one is typed: the first letter is waited for
+    )
+    return dataset_of_address(text)
 
 
 def words_of(text):
@@ -146,7 +156,8 @@ def _vocabulary():
 
 
 def _nearest(word):
-    """The word itself where it occurs, else the nearest of the materials' names."""
-    if any(word in line for line in _lines()):
+    """The word itself where it occurs or is short, as formulas are; else the nearest of the materials' names."""
+    if len(word) < SHORTEST_GUESSED or any(word in line for line in _lines()):
         return word
-    return (difflib.get_close_matches(word, _vocabulary(), 1, 0.7) or [word])[0]
+    import difflib  # for a misspelt word alone
+    return (difflib.get_close_matches(word, _vocabulary(), 1, MUCH_ALIKE) or [word])[0]

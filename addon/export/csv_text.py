@@ -1,6 +1,7 @@
 """Spectra and curves as CSV: a line of headings, commas, decimal points, every digit that a number has."""
 
 from ..reflectance.fresnel import conductor
+from ..spectra.readers.points import why_k_is_missing
 
 __all__ = ["spectrum_csv", "curve_csv"]
 
@@ -8,8 +9,8 @@ __all__ = ["spectrum_csv", "curve_csv"]
 def spectrum_csv(constants):
     """The measured points of OpticalConstants; :mod:`addon.spectra.readers` reads them back as they are.
 
-    wavelength_nm, n, k; without k where none was measured, and with R in place
-    of both where the normal reflectance was.
+    wavelength_nm, n, k; without k where none was measured, unless a reader would
+    miss it, and with R in place of both where the normal reflectance was.
 
     >>> from addon.spectra.optical_constants import load
     >>> spectrum_csv(load("main/Cu/Johnson")).splitlines()[0]
@@ -18,7 +19,8 @@ def spectrum_csv(constants):
     if constants.normal_only:
         named = {"R": conductor(1.0, constants.n, 0.0)}
     else:
-        named = {"n": constants.n, **({"k": constants.k} if constants.has_k else {})}
+        has_k = constants.has_k or why_k_is_missing(constants.wavelength_nm, constants.n)
+        named = {"n": constants.n, **({"k": constants.k} if has_k else {})}
     return _csv(("wavelength_nm", *named), zip(constants.wavelength_nm, *named.values()))
 
 

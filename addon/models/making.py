@@ -9,10 +9,13 @@ from . import DEFAULT, named, names
 from .model import Renderer
 from .record import Record, Source
 
+ANY_RENDERER = Renderer()
+"""The exact formula and Rec.709: what Blender 5 has by default."""
+
 __all__ = ["exported", "made", "rebaked", "renewed", "switched"]
 
 
-def made(model: str | None = None, preset: Any = None, realisation: str = "fast", renderer: Renderer = Renderer(),
+def made(model: str | None = None, preset: Any = None, realisation: str = "fast", renderer: Renderer = ANY_RENDERER,
          viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
     """The Record of a preset or measurement, with some parameters of one's own.
 
@@ -20,7 +23,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
     preset       what :func:`addon.catalogue.resolving.resolve` understands; None for the parameters alone
     realisation  one that the model has
     renderer     whose formula and working space the numbers are for
-    viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut
+    viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
     parameters   of the model, over the preset's own
 
     Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
@@ -44,7 +47,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
     return _with_group(record, chosen, baked.variant)
 
 
-def switched(record: Record, realisation: str, renderer: Renderer = Renderer()) -> Record:
+def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER) -> Record:
     """The Record by another realisation; everything that the user set stays.
 
     Where what was baked is still as it was, it is baked again for what the
@@ -61,7 +64,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = Renderer()) 
     return _with_group(record.changed(realisation=realisation), model, variant)
 
 
-def rebaked(record: Record, renderer: Renderer = Renderer(), viewing: Mapping[str, Any] | None = None, *,
+def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[str, Any] | None = None, *,
             only: tuple[str, ...] = ()) -> Record:
     """The Record whose measurement is baked again; what the bake does not give stays as the user set it.
 
@@ -81,8 +84,9 @@ def rebaked(record: Record, renderer: Renderer = Renderer(), viewing: Mapping[st
     return _with_group(found, model, baked.variant)
 
 
-def renewed(record: Record, renderer: Renderer = Renderer()) -> Record:
-    """A Record from elsewhere for this renderer: groups of this version, and baked again where its numbers are for another.
+def renewed(record: Record, renderer: Renderer = ANY_RENDERER) -> Record:
+    """A Record from elsewhere for this renderer: groups of this version, and baked again where its numbers are for
+    another.
 
     What the user set stays; n and k that are still as baked follow the renderer's formula.
     """
@@ -124,7 +128,16 @@ def _viewing(resolved, renderer, viewing):
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})
     return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,
-            "gamut": found.gamut}
+            "gamut": found.gamut, "medium": _named_medium(found.medium)}
+
+
+def _named_medium(medium):
+    """A medium as a record keeps it: its index, or its name."""
+    dataset = getattr(medium, "dataset", medium)
+    if dataset != medium and resolve(medium).is_own:
+        raise FacetFilmError("The medium outside is named by its index, a preset or a dataset; {medium} is a "
+                             "measurement of your own: give its index.", medium=dataset)
+    return dataset
 
 
 def _source(resolved):

@@ -107,7 +107,8 @@ class Model:
     citation      the publication
     parameters    its class of checked parameters, with its TABLE
     groups        every Group of its own
-    realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one first}
+    realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one
+                  first}
     evaluate      function(parameters, n, v, l) -> the whole BRDF in 1/sr, ``(..., 3)``, of unit directions ``(..., 3)``
     facts         function(resolved preset, addon.bake.Bake) -> all that was baked, ready for JSON; for measurements
     bake          function(resolved preset, viewing options, realisation, Renderer) -> Baked

@@ -1,13 +1,15 @@
 """The group of an OSL realisation: the sockets of the model's table before its script."""
 
-from .realisations import REALISATIONS
 from .parameters import add_inputs
+from .realisations import REALISATIONS
 
 __all__ = ["build_script"]
 
 
 def build_script(builder, model, realisation):
-    """Build a model's script, "<model>.osl" in its folder, into a group; `Exact` where the realisation draws the formula."""
+    """Build a model's script, "<model>.osl" in its folder, into a group; `Exact` where the realisation draws the
+    formula.
+    """
     add_inputs(builder, model.parameters.TABLE, realisation)
     exact = not REALISATIONS[realisation].native
     builder.output("BSDF", builder.script(model.folder / f"{model.name}.osl", {"Exact": int(exact)}))

@@ -11,8 +11,8 @@ from types import SimpleNamespace
 
 from ..errors import choice, number, numbers_of
 
-__all__ = ["Socket", "Parameter", "Number", "Triple", "Colour", "Choice", "Slider", "Direction", "Checked", "checked_class",
-           "add_inputs", "sockets_of", "written", "read"]
+__all__ = ["Socket", "Parameter", "Number", "Triple", "Colour", "Choice", "Slider", "Direction", "Checked",
+           "checked_class", "add_inputs", "sockets_of", "written", "read"]
 
 
 @dataclasses.dataclass(frozen=True)

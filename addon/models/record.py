@@ -47,7 +47,8 @@ class Record:
     version      of that group
     parameters   the model's checked parameters, as they are now
     source       the Source, or None where the parameters alone make it
-    viewing      options that it was baked with: illuminant, observer, space, adapt, gamut; {} where nothing was baked
+    viewing      options that it was baked with: illuminant, observer, space, adapt, gamut, medium; {} where nothing
+                 was baked
     baked        what was found then: title, colours, errors, citation; {} where nothing was baked
     """
 

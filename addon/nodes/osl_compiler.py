@@ -20,7 +20,8 @@ def compile_script(node):
     from cycles import osl
     said = []
     if not osl.update_script_node(node, lambda _level, message: said.append(message)):
-        raise FacetFilmError("The shader {shader} does not compile: {why}", shader=node.script.name, why="; ".join(said))
+        raise FacetFilmError("The shader {shader} does not compile: {why}",
+                             shader=node.script.name, why="; ".join(said))
 
 
 def text_of(file):

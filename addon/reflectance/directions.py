@@ -63,10 +63,12 @@ def cosines(n, v, l):
 def facing(n, v):
     """N, turned towards V where N·V is below 0.01, as of a smoothed or bumped surface at its outline; ``(..., 3)``.
 
-    The formulas are made for surfaces that the viewer sees: seen from below, densities of what is drawn lose their sign.
+    The formulas are made for surfaces that the viewer sees: seen from below, densities of what is drawn lose their
+    sign.
 
     >>> up = direction(0.0, 0.0)
-    >>> facing(up, direction(1.5, 0.0)).tolist(), round(float(dot(facing(up, direction(1.8, 0.0)), direction(1.8, 0.0))), 3)
+    >>> turned = facing(up, direction(1.8, 0.0))
+    >>> facing(up, direction(1.5, 0.0)).tolist(), round(float(dot(turned, direction(1.8, 0.0))), 3)
     ([0.0, 0.0, 1.0], 0.01)
     """
     return normalize(n + widen(maximum(LEAST_N_V - dot(n, v), 0.0)) * v)

@@ -7,7 +7,7 @@ from . import text as shown
 __all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "verify_command",
            "ways_command"]
 
-VIEWING = ("illuminant", "observer", "space", "adapt", "gamut")
+VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
 
 
 def _given(options, *names):
@@ -37,7 +37,7 @@ def bake_command(options):
     """Colours and parameters of a material; of one that was not measured the parameters alone."""
     from ..catalogue.resolving import resolve
     from ..export import write_text
-    resolved = resolve(options.material)
+    resolved = resolve(options.material, options.choose)
     written = _form(options, resolved) if resolved.constants is not None else _unmeasured(options, resolved)
     if options.output is None:
         return written
@@ -90,8 +90,22 @@ def search_command(options):
 def check_command(options):
     """How far given numbers or a material are from a measured one."""
     from ..bake import check
-    found = check(options.against, preset=options.material, **_given(options, *VIEWING, "formula", "n", "k", "f0", "tint"))
+    from ..catalogue.resolving import resolve
+    given = _given(options, *VIEWING, "formula", "n", "k", "f0", "tint")
+    given.update({name: _colour(given[name]) for name in ("f0", "tint") if given.get(name)})
+    found = check(resolve(options.against, options.choose),
+                  preset=options.material and resolve(options.material, options.choose), **given)
     return _json(found.to_dict()) if options.json else shown.checked(found)
+
+
+def _colour(words):
+    """A colour of the command line: three numbers, or one word such as "#ffd98b"."""
+    if len(words) == 1:
+        return words[0]
+    try:
+        return tuple(float(word) for word in words)
+    except ValueError:
+        raise FacetFilmError(f"A colour is three numbers, or one such as '#ffd98b', not {' '.join(words)!r}.") from None
 
 
 def spread_command(options):
@@ -104,7 +118,8 @@ def spread_command(options):
 def ways_command(options):
     """The paper's ways to a colour."""
     from ..bake import ways
-    found = ways(options.material, **_given(options, *VIEWING))
+    from ..catalogue.resolving import resolve
+    found = ways(resolve(options.material, options.choose), **_given(options, *VIEWING))
     return _json(found.to_dict()) if options.json else shown.ways(found)
 
 

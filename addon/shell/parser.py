@@ -25,6 +25,7 @@ def parser():
     command.add_argument("material", metavar=MATERIAL,
                          help="a preset, a dataset of the database, or a file of your own measurements")
     _add_viewing_options(command)
+    _add_choose_option(command)
     _add_formula_option(command)
     command.add_argument("--from-normal-reflectance", action="store_true",
                          help="from the normal reflectance alone, k = 0 (Cook and Torrance 1982)")
@@ -37,12 +38,15 @@ def parser():
     command = _command(commands, "check", work.check_command,
                        "how far n and k, F0 and F82 tint, or a material are from a measured material")
     command.add_argument("material", nargs="?", metavar=MATERIAL, help="a material to check")
-    for name, what in (("--n", "index of refraction"), ("--k", "extinction coefficient"),
-                       ("--f0", "reflectance at normal incidence"), ("--tint", "F82 tint")):
+    for name, what in (("--n", "index of refraction"), ("--k", "extinction coefficient")):
         command.add_argument(name, nargs=3, type=float, metavar=("R", "G", "B"), help=f"{what}, RGB")
+    for name, what in (("--f0", "reflectance at normal incidence"), ("--tint", "F82 tint")):
+        command.add_argument(name, nargs="+", metavar="COLOUR",
+                             help=f"{what}: three linear numbers, three from 0 to 255 as sRGB has them, or '#ffd98b'")
     command.add_argument("--against", required=True, metavar=MATERIAL,
                          help="the measured material")
     _add_viewing_options(command)
+    _add_choose_option(command)
     _add_formula_option(command)
 
     command = _command(commands, "spread", work.spread_command, "all measurements of a material side by side")
@@ -53,9 +57,10 @@ def parser():
                        "the 1982 paper's ways to a colour over angle beside the exact one")
     command.add_argument("material", metavar=MATERIAL, help="a material")
     _add_viewing_options(command, gamut=False)
+    _add_choose_option(command)
 
-    command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender and hold the "
-                       "pixels against the formulas", _add_report)
+    command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender "
+                       "and hold the pixels against the formulas", _add_report)
     command.add_argument("--device", default="CPU", metavar="NAME",
                          help="CPU (the default), or GPU: what the preferences switch on")
     command.add_argument("--only", metavar="GROUP", help="one model's name, or data")
@@ -98,15 +103,17 @@ def _add_viewing_options(command, gamut=True):
     command.add_argument("--space", default="Rec.709", metavar="NAME", help="Rec.709, Rec.2020 or ACEScg")
     command.add_argument("--adapt", action="store_true", help="adapt the eye to the illuminant (Bradford)")
     if gamut:
-        command.add_argument("--gamut", default="desaturate", metavar="METHOD",
-                             help="for colours outside: desaturate, scale, clip or leave")
+        command.add_argument("--gamut", default=argparse.SUPPRESS, metavar="METHOD",
+                             help="for colours outside: nearest, unless told otherwise; desaturate, scale, clip, leave")
+        command.add_argument("--medium", default=argparse.SUPPRESS, metavar="N|NAME",
+                             help="what the surface is in: an index such as 1.33, or a clear material such as water")
+
+
+def _add_choose_option(command):
+    command.add_argument("--choose", action="append", default=[], metavar="NAME",
+                         help="of a file that holds or can mean several things: which, as its message names them")
 
 
 def _add_formula_option(command):
     command.add_argument("--formula", default="exact", metavar="NAME",
                          help="conductor formula of n and k: exact (Blender 5.0 and later) or blender-4.5")
-
-
-def _given(options, *names):
-    """The options of these names that the command has, as keywords."""
-    return {name: getattr(options, name) for name in names if hasattr(options, name)}

@@ -65,6 +65,9 @@ def baked(bake):
         ("curve", f"{len(bake.fresnel.cos_theta)} points"),
         ("gamut", _gamut(bake.gamut)),
     ]
+    facts += [("read as", line) for line in source.assumed]
+    if bake.medium != 1.0:
+        facts.append(("outside", str(bake.medium)))
     if bake.estimated not in ("", source.citation):
         facts.append(("estimated", bake.estimated))
     return "\n".join([bake.title, columns(rows, "  "), columns(facts, "  ")])

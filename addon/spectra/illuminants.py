@@ -1,7 +1,6 @@
 """CIE illuminants: relative spectral power."""
 
 import functools
-import json
 import re
 
 from ..errors import choice
@@ -14,7 +13,7 @@ TITLES = {
     "A": "incandescent lamp, 2856 K", "B": "direct sunlight at noon (superseded), 4874 K",
     "C": "average daylight (superseded), 6774 K", "D50": "daylight, 5000 K", "D55": "daylight, 5500 K",
     "D60": "daylight, 6000 K", "D65": "daylight, 6500 K", "D75": "north sky daylight, 7500 K",
-    "E": "equal energy", "ID50": "indoor daylight, 5100 K", "ID65": "indoor daylight, 6600 K",
+    "E": "equal energy",
     "F1": "daylight fluorescent, 6430 K", "F2": "cool white fluorescent, 4230 K",
     "F3": "white fluorescent, 3450 K", "F4": "warm white fluorescent, 2940 K",
     "F5": "daylight fluorescent, 6350 K", "F6": "light white fluorescent, 4150 K",
@@ -39,8 +38,17 @@ TITLES = {
     "LED-BH1": "white LED, blue with phosphor, and red, 2850 K",
     "LED-RGB1": "white LED, red, green and blue, 2840 K",
     "LED-V1": "white LED, violet with phosphor, 2720 K", "LED-V2": "white LED, violet with phosphor, 4070 K",
+    "ID65": "indoor daylight, 6600 K", "ID50": "indoor daylight, 5100 K",
 }
-"""What each illuminant is, with its correlated colour temperature.  CIE 015:2018."""
+"""What each illuminant is, with its correlated colour temperature, in the order of the table.  CIE 015:2018."""
+
+ALIASES = {
+    "TL84": "F11", "TL83": "F12", "TL85": "F10", "U30": "F12", "UL30": "F12", "CWF": "F2", "COOL WHITE": "F2",
+    "WW": "F4", "WWF": "F4", "WARM WHITE": "F4", "WHITE FLUORESCENT": "F3", "DLF": "F1", "TUNGSTEN": "A",
+    "INCANDESCENT": "A", "INCA": "A", "DAYLIGHT": "D65", "EQUAL ENERGY": "E", "EE": "E", "2856K": "A",
+    "5000K": "D50", "5500K": "D55", "6000K": "D60", "6500K": "D65", "7500K": "D75",
+}
+"""What lamps of light booths and daylight are called, in capitals."""
 
 
 @functools.lru_cache(maxsize=1)
@@ -50,7 +58,7 @@ def names():
     >>> {"A", "D65", "F2", "F3.12", "HP1", "LED-B3", "E"} <= set(names())
     True
     """
-    return tuple(json.loads(name) for name in tables.lines("cie", "illuminants"))
+    return tuple(TITLES)
 
 
 def title(illuminant):
@@ -63,14 +71,16 @@ def title(illuminant):
 
 
 def canonical(illuminant):
-    """The illuminant's name as names() has it; CIE's newer "FL2" is "F2", small letters will do.
+    """The illuminant's name as names() has it; "FL2" is "F2", "TL84" is "F11", small letters will do.
 
     Raises FacetFilmError for an unknown illuminant, with the nearest names.
 
-    >>> canonical("fl2")
-    'F2'
+    >>> canonical("fl2"), canonical("CWF"), canonical("CIE illuminant A")
+    ('F2', 'F2', 'A')
     """
-    name = re.sub(r"^FL(?=\d)", "F", str(illuminant).strip().upper())
+    name = re.sub(r"^((CIE|STANDARD|STD|ILLUMINANT|ILL)\.?[\s_-]+)+", "", str(illuminant).strip().upper())
+    name = ALIASES.get(name.replace("_", " ").replace("-", " ").replace(" K", "K"), name)
+    name = re.sub(r"^LED[\s_-]?(?=B|R|V)", "LED-", re.sub(r"^FL?\s?0?(?=\d)", "F", name))
     return choice("illuminant", name if name in names() else illuminant, names())
 
 

@@ -1,16 +1,21 @@
 """CIE colour matching functions."""
 
 import json
+import re
 
 import numpy as np
 
 from ..errors import choice
 from . import tables
 
-__all__ = ["colour_matching_functions", "names", "WAVELENGTH_NM"]
+__all__ = ["canonical", "colour_matching_functions", "names", "WAVELENGTH_NM"]
 
 WAVELENGTH_NM = np.arange(360.0, 781.0)
 """Where spectra are integrated: 360 to 780 nm in 1 nm steps, ``(421,)``."""
+
+
+ALIASES = {"1931": "1931", "2": "1931", "1964": "1964", "10": "1964"}
+"""Years and angles of view."""
 
 
 def names():
@@ -20,6 +25,19 @@ def names():
     ('1931', '1964')
     """
     return tuple(json.loads(name) for name in tables.lines("cie", "observers"))
+
+
+def canonical(observer):
+    """The name that names() has for an observer: "2", "10°", "CIE 1964" are known.
+
+    Raises FacetFilmError for any other.
+
+    >>> canonical(2), canonical("10 deg"), canonical("CIE 1931 2°")
+    ('1931', '1964', '1931')
+    """
+    plain = re.sub(r"[^0-9 ]", " ", str(observer)).split()
+    found = {ALIASES.get(word, "") for word in plain}
+    return choice("observer", found.pop() if len(found) == 1 and "" not in found else str(observer), names())
 
 
 def colour_matching_functions(observer="1931"):

@@ -3,6 +3,8 @@
 import dataclasses
 import difflib
 import functools
+import re
+import urllib.parse
 
 import numpy as np
 
@@ -11,14 +13,15 @@ from ..reflectance import fresnel
 from . import dispersion, names, tables
 
 __all__ = [
-    "OpticalConstants", "load", "from_normal_reflectance", "dataset_ids", "sampled_formula",
-    "on_common_wavelengths", "VISIBLE_NM", "CORE_NM", "SOURCE",
+    "OpticalConstants", "load", "from_normal_reflectance", "dataset_ids", "sampled_formula", "sampled_wavelengths",
+    "on_common_wavelengths", "ascending", "dataset_of_address", "VISIBLE_NM", "CORE_NM", "SOURCE",
 ]
 
 VISIBLE_NM = (360.0, 780.0)
 CORE_NM = (400.0, 700.0)
 SOURCE = "refractiveindex.info"
 TABLE = "refractiveindex"
+SHELVES = ("main", "organic", "glass", "other", "3d", "specs", "popular_glass")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -34,6 +37,8 @@ class OpticalConstants:
     range_nm       wavelengths that were measured, low and high: may exceed what is kept of them
     has_k          whether k was measured; else it is 0
     normal_only    whether n stands for a measured normal reflectance, with k = 0
+    comment        what the database says of the sample
+    assumed        what a reader of files took for granted, a line each
     """
 
     wavelength_nm: np.ndarray
@@ -47,6 +52,7 @@ class OpticalConstants:
     has_k: bool = True
     normal_only: bool = False
     comment: str = ""
+    assumed: tuple = ()
 
     def __post_init__(self):
         for name in ("wavelength_nm", "n", "k"):
@@ -110,6 +116,7 @@ def load(dataset):
     >>> load("main/Cu/Johnson").title
     'Copper, Johnson and Christy 1972'
     """
+    dataset = dataset_of_address(dataset) or dataset
     place = tables.part(TABLE, "places").get(dataset)
     if place is None:
         _refuse(dataset, tables.part(TABLE, "left_out"), dataset_ids())
@@ -122,6 +129,42 @@ def load(dataset):
         wavelength, n, np.maximum(k, 0.0), dataset, names.title_of(dataset, title),
         tables.line(TABLE, "citations", citation), tables.about(TABLE)["licence"],
         (max(low for low, _ in ranges), min(high for _, high in ranges)), bool(k_model), comment=comment)
+
+
+def dataset_of_address(address):
+    """The id of the dataset that an id, the address of its page or its path in the database names, or None.
+
+    >>> dataset_of_address("https://refractiveindex.info/?shelf=main&book=Au&page=Johnson")
+    'main/Au/Johnson'
+    >>> dataset_of_address("database/data/main/Au/nk/Johnson.yml"), dataset_of_address("main/Au/Jonson")
+    ('main/Au/Johnson', None)
+    """
+    places = tables.part(TABLE, "places")
+    if address in places:
+        return address
+    plain = urllib.parse.unquote(str(address)).strip()
+    query = urllib.parse.parse_qs(urllib.parse.urlsplit(plain).query) if "?" in plain else {}
+    if {"book", "page"} <= set(query):
+        parts = [query.get("shelf", ["main"])[0], query["book"][0], query["page"][0]]
+    else:
+        parts = re.split(r"[/\\]", re.sub(r"\.ya?ml$", "", plain))
+        parts = [part for part in parts if part not in {"", ".", "nk", "data-nk"}]
+        while parts and parts[0] not in SHELVES:
+            parts = parts[1:]
+    if len(parts) < 3:
+        return None
+    books = ("/".join(parts[1:-1]), "-".join(parts[1:-1]), parts[-2], parts[-2].rpartition(" - ")[2])
+    by_path = _by_path()
+    return next((by_path[one] for book in books if (one := _plain(f"{parts[0]}/{book}/{parts[-1]}")) in by_path), None)
+
+
+@functools.lru_cache(maxsize=1)
+def _by_path():
+    return {_plain(dataset): dataset for dataset in tables.part(TABLE, "places")}
+
+
+def _plain(dataset):
+    return dataset.lower().replace("_", " ").replace("%20", " ")
 
 
 def _refuse(dataset, left_out, known):
@@ -149,7 +192,7 @@ def _points(model):
         _, place_w, place_v, count, _, _ = model
         # The database has at most 7 digits: take what single precision added away.
         wavelength = np.round(tables.numbers(TABLE, place_w, count).astype(float) * 1000.0, 4)
-        return _ascending(wavelength), tables.numbers(TABLE, place_v, count).astype(float)
+        return ascending(wavelength), tables.numbers(TABLE, place_v, count).astype(float)
     formula, place, count, low, high = model
     return sampled_formula(formula, tables.numbers(TABLE, place, count), low, high)
 
@@ -163,9 +206,18 @@ def sampled_formula(formula, coefficients, low, high):
     >>> sampled_formula(5, [1.5], 400.0, 402.5)[0].tolist()
     [400.0, 401.0, 402.0, 402.5]
     """
-    low, high = max(low, VISIBLE_NM[0]), min(high, VISIBLE_NM[1])
-    wavelength = _distinct([low], np.arange(np.ceil(low), high), [high])
+    wavelength = sampled_wavelengths(low, high)
     return wavelength, dispersion.index(formula, coefficients, wavelength / 1000.0)
+
+
+def sampled_wavelengths(low, high):
+    """Every nm of a range within 360 to 780 nm, and its ends.
+
+    >>> sampled_wavelengths(778.5, 2000.0).tolist()
+    [778.5, 779.0, 780.0]
+    """
+    low, high = max(low, VISIBLE_NM[0]), min(high, VISIBLE_NM[1])
+    return _distinct([low], np.arange(np.ceil(low), high), [high])
 
 
 def _distinct(*wavelengths):
@@ -174,7 +226,7 @@ def _distinct(*wavelengths):
     return ascending[np.concatenate([[True], ascending[1:] != ascending[:-1]])]
 
 
-def _ascending(wavelength):
+def ascending(wavelength):
     """Wavelengths of which none occurs twice: of those that do, all but the last come a trifle earlier.
 
     Of two values at one wavelength the last counts there, as with numpy.interp.

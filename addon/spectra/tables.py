@@ -26,7 +26,6 @@ CHUNK = 1 << 13
 """Numbers in a file of values."""
 
 
-
 @functools.cache
 def read(name):
     """(about, index, values) of the table with this name: a dict, a dict of its parts, a float32 array ``(N,)``.

@@ -27,8 +27,10 @@ RINGS = 6
 
 def checks(model, realisations):
     """The checks of a model, by its name, in these realisations."""
-    return [Check(model, realisation, "sphere under a soft sun", "a sphere under a sun of 30° at 45° against evaluate(): "
-                  "largest relative difference in the means of six rings", functools.partial(soft_sun, model=model), {}) for realisation in realisations]
+    what = ("a sphere under a sun of 30° at 45° against evaluate(): largest relative difference in the means of six "
+            "rings")
+    measure = functools.partial(soft_sun, model=model)
+    return [Check(model, realisation, "sphere under a soft sun", what, measure) for realisation in realisations]
 
 
 def soft_sun(realisation, rendered, parameters, *, model):
@@ -56,7 +58,8 @@ def _reference(evaluate, parameters, towards, diameter):
     view = np.broadcast_to(scenes.VIEW, n.shape)
     for light, irradiance in zip(*scenes.sun_directions(towards, diameter, rings=4)):
         cosine = np.maximum(n @ light, 0.0)[..., None]
-        picture[mask] += irradiance * (evaluate(parameters, n, view, np.broadcast_to(light, n.shape)) * cosine).mean(axis=1)
+        brdf = evaluate(parameters, n, view, np.broadcast_to(light, n.shape))
+        picture[mask] += irradiance * (brdf * cosine).mean(axis=1)
     return picture, mask
 
 

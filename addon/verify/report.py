@@ -19,6 +19,8 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 img { image-rendering: pixelated; display: block; } small { color: #666; }
 details { margin-top: 1rem; } summary { cursor: pointer; }
 """
+
+
 def _titles():
     """{group of checks: its heading}."""
     return {**{model.name: model.title for model in all_models()}, "data": "Measured data"}
@@ -110,8 +112,8 @@ def _picture(picture):
 
 
 def _presets(rows):
-    head = (f"<details><summary>How far each of the {len(rows)} presets is from its measured spectrum: largest CIEDE2000 over "
-            "angle</summary><table><tr><th>Preset</th><th>Kind</th><th>Dataset</th><th>n and k</th>"
+    head = (f"<details><summary>How far each of the {len(rows)} presets is from its measured spectrum: largest "
+            "CIEDE2000 over angle</summary><table><tr><th>Preset</th><th>Kind</th><th>Dataset</th><th>n and k</th>"
             "<th>n and k, this Blender</th><th>F0 and F82</th></tr>")
     body = "".join(
         "<tr>" + "".join(f"<td>{html.escape(text)}</td>" for text in row[:3])
@@ -121,9 +123,9 @@ def _presets(rows):
 
 def table_text(results):
     """The checks as the rows of a Markdown table: realisation, check, figures, passed or not."""
-    rows = ["| realisation | check | figures | |", "|---|---|---|---|"]
+    rows, titles = ["| realisation | check | figures | |", "|---|---|---|---|"], _titles()
     for check, outcome, _ in results:
         figures = outcome if isinstance(outcome, str) else "; ".join(_figure(figure) for figure in outcome.figures)
-        rows.append(f"| {MODELS[check.model]} {check.realisation} | {check.name} | {figures} | "
+        rows.append(f"| {titles[check.model]} {check.realisation} | {check.name} | {figures} | "
                     f"{'passed' if _passed(outcome) else '**FAILED**'} |")
     return "\n".join(rows)

@@ -68,7 +68,8 @@ def principled():
     material = bpy.data.materials.new("Principled")
     compat.enable_nodes(material)
     shader = next(node for node in material.node_tree.nodes if node.bl_idname == "ShaderNodeBsdfPrincipled")
-    for name, value in {"Base Color": (0.93, 0.62, 0.52, 1.0), "Metallic": 1.0, "Roughness": SLOPES[0][0] ** 0.5}.items():
+    settings = {"Base Color": (0.93, 0.62, 0.52, 1.0), "Metallic": 1.0, "Roughness": SLOPES[0][0] ** 0.5}
+    for name, value in settings.items():
         shader.inputs[name].default_value = value
     return material
 
@@ -135,7 +136,8 @@ def interface(other):
     found = {bpy.app.version_string: bench_interface.measure(5)}
     if other:
         def said(*arguments):
-            # Python's environment, for bpy adds its own colour configuration to the process's, which no other one reads.
+            # Python's environment, for bpy adds its own colour configuration to the process's, which no other one
+            # reads.
             return subprocess.run([other, *arguments], cwd=ROOT, env=dict(os.environ), capture_output=True, text=True,
                                   check=True).stdout
         version_string = said("-c", "import bpy; print('is', bpy.app.version_string)").split("is ")[1].strip()
@@ -162,7 +164,8 @@ def record(quick, other):
     counts, repeats = ((4, 16), 2) if quick else ((4, 16, 64), 3)
     with quiet():
         return {
-            "blender": bpy.app.version_string, "bpy": version("bpy"), "resolution": RESOLUTION, "cores": scenes.TWO_CORES,
+            "blender": bpy.app.version_string, "bpy": version("bpy"), "resolution": RESOLUTION,
+            "cores": scenes.TWO_CORES,
             "noise_over_time": noise_over_time(counts, repeats), "growth": growth(counts[-1], repeats),
             "times": times(), "interface": interface(other), "sizes": sizes(),
             "peak_memory_of_this_run_mib": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024}
@@ -221,9 +224,9 @@ def page(found, picture):
 
 `make bench` measures all of this in one run and writes `out/bench.json`. Blender {found['blender']}, {found['cores']}
 threads of a shared machine: trust the ratios, not the seconds. A copper sphere of slope 0.3 under a sun of 5° and a dim
-sky, {found['resolution']} × {found['resolution']} pixels. Ratios are to the Principled BSDF of the same run; noise is the
-rms deviation of a pixel between seeds over the mean, and "in the same time" is what it comes to when both render equally
-long.
+sky, {found['resolution']} × {found['resolution']} pixels. Ratios are to the Principled BSDF of the same run; noise is
+the rms deviation of a pixel between seeds over the mean, and "in the same time" is what it comes to when both render
+equally long.
 
 {table(found['noise_over_time'])}
 

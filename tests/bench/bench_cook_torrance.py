@@ -118,7 +118,8 @@ def main():
     parser.add_argument("--slopes", nargs="*", choices=SLOPES, default=list(SLOPES))
     arguments = parser.parse_args()
     print(f"Blender {bpy.app.version_string}, sphere of {RESOLUTION} pixels, {SAMPLES} samples, copper")
-    print(f"{'slopes':10} {'light':12} {'run':22} {'time':>6} {'noise':>8} {'noise at equal time':>20} {'over width 0':>13}")
+    print(f"{'slopes':10} {'light':12} {'run':22} {'time':>6} {'noise':>8} {'noise at equal time':>20} "
+          f"{'over width 0':>13}")
     for slopes in arguments.slopes:
         for light, add in LIGHTS.items():
             found = table(SLOPES[slopes], add, arguments.rounds)

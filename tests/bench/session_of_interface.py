@@ -25,7 +25,9 @@ TYPED = ("gold babar", "titanium oxide", "stainless steel", "tungstn", "schott n
 
 
 def timed(work):
-    """Milliseconds that one waits for a call: of the processor, or passed where that is less, as with several threads."""
+    """Milliseconds that one waits for a call: of the processor, or passed where that is less, as with
+    several threads.
+    """
     clocks = (time.process_time, time.perf_counter)
     starts = [clock() for clock in clocks]
     work()
@@ -61,7 +63,8 @@ def draw():
 def preset():
     """Presets put on the cube from the panel, one after the other; of the later ones the slowest."""
     panels_drawn()()  # there is nothing to click before
-    import_module(f"{MODULE}.addon.blender.panels.load_ahead").load()  # as a window does then, idle before the first click
+    # As a window does then, idle before the first click.
+    import_module(f"{MODULE}.addon.blender.panels.load_ahead").load()
     first, *later = (timed(lambda: bpy.ops.facet_film.bake_preset(preset=name)) for name in PRESETS)
     return {"first": first, "later": max(later)}
 

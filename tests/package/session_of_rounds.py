@@ -43,13 +43,13 @@ def use(round_number):
     bpy.ops.facet_film.add_asset_library()
     settings = bpy.context.window_manager.facet_film
     settings.illuminant, settings.thumbnail = "A", "gold"
-    modules("settings").search_measured(None, None, "gold")
+    modules("settings").search_presets(None, None, "gold")
     assert sum(drawn(panel, properties_editor()) is not None for panel in panels()) >= 6
     bpy.ops.facet_film.rebake()
     bpy.ops.facet_film.rebake_all()
     bpy.ops.facet_film.save_user_preset(name="Mine")
     bpy.ops.facet_film.save_user_preset(name="Mine", remove_name=True)
-    bpy.ops.facet_film.bake_preset(model="layered_rgb", preset="nacre")
+    bpy.ops.facet_film.bake_preset(preset="nacre")
     material = target.active_material
     target.data.materials.clear()
     bpy.data.materials.remove(material)

@@ -36,7 +36,8 @@ def test_it_installs_and_enables(report, package):
 
 def test_it_adds_its_operator_and_only_things_that_bear_its_name(report):
     assert "operator facet_film.bake_preset" in report["added"]
-    assert not [trace for trace in report["added"] if "facet_film" not in trace.lower().replace("facetfilm", "facet_film")]
+    assert not [trace for trace in report["added"]
+                if "facet_film" not in trace.lower().replace("facetfilm", "facet_film")]
 
 
 def test_the_operator_makes_a_copper_material(report):

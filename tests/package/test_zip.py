@@ -14,11 +14,11 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # Everything that may be in the zip; a new kind of file has to be allowed here by hand.
 ALLOWED = ("__init__.py", "blender_manifest.toml", "LICENSE", "README.md",
-           "addon/*.py", "addon/osl/*.osl", "addon/spectra/data/*",
-           "addon/thumbnails/*.png", "node_groups/*.blend", "node_groups/*/blender_assets.cats.txt")
+           "addon/*.py", "addon/models/*/*.osl", "addon/models/*/presets.json", "addon/spectra/data/*",
+           "addon/thumbnails/*.png", "node_groups/*.blend", "node_groups/assets/blender_assets.cats.txt")
 NEEDED = ("__init__.py", "blender_manifest.toml", "LICENSE", "addon/__init__.py", "addon/cli.py", "addon/api.py",
-          "node_groups/groups/cook_torrance_fast.blend", "node_groups/blender_4.5/facet_film_assets.blend",
-          "node_groups/blender_5.0/facet_film_assets.blend")
+          "node_groups/groups/cook_torrance_fast.blend", "node_groups/assets/facet_film_assets.blend")
+MOST_BYTES = 10_000_000
 
 
 @pytest.fixture
@@ -45,6 +45,7 @@ def test_it_holds_only_what_users_need(package):
 def test_it_holds_all_of_the_addon(package):
     names = set(names_in(package))
     assert names >= set(NEEDED)
+    assert package.stat().st_size <= MOST_BYTES
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "addon").rglob("*.py")}
     data = {path.relative_to(ROOT).as_posix() for path in (ROOT / "addon").rglob("*")
             if path.is_file() and path.suffix != ".pyc"}
@@ -91,4 +92,5 @@ def test_leftovers_of_work_are_left_out(source, tmp_path):
         (source / name).parent.mkdir(parents=True, exist_ok=True)
         (source / name).write_text("x")
     before = set(names_in(build(tmp_path / "dist", source)))
-    assert not [name for name in before if name.startswith(("tests", "docs", ".venv", "out", "dist")) or "cache" in name]
+    left_out = ("tests", "docs", ".venv", "out", "dist")
+    assert not [name for name in before if name.startswith(left_out) or "cache" in name]

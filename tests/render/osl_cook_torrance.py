@@ -8,8 +8,8 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from addon.operands import arccos, dot
 from addon.models.cook_torrance import gaussian_lobes, sampler
+from addon.operands import arccos, dot
 from addon.reflectance import fresnel, masking, sampling, slopes
 from addon.reflectance.directions import PI, facing, tangent_of
 from tests.render.osl_grids import about, column, grid, single, spread, tangent_in_the_scripts

@@ -9,10 +9,10 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from addon.operands import arccos, dot, normalize, widen
 from addon.models.layered_rgb import formulas as model
 from addon.models.layered_rgb import lobes as fast
 from addon.models.layered_rgb import sampler
+from addon.operands import arccos, dot, normalize, widen
 from addon.reflectance.directions import facing, half_vector, in_frame, mirrored
 from tests.render.osl_cook_torrance import normals
 from tests.render.osl_grids import about, column, grid, single, spread, tangent_in_the_scripts

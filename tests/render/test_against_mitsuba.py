@@ -1,4 +1,6 @@
-"""Cycles with baked metals against the same spheres rendered spectrally by Mitsuba 3, as recorded and as it renders now."""
+"""Cycles with baked metals against the same spheres rendered spectrally by Mitsuba 3, as recorded and as it renders
+now.
+"""
 
 import numpy as np
 import pytest

@@ -116,7 +116,8 @@ def test_a_preset_saved_by_0_1_0_is_read():
     assert api.record_of(material_of(text)).parameters.specular == pytest.approx(0.7)
 
 
-@pytest.mark.parametrize("text", ["", "#\n", "# A\n#{}", '# A\n#{"model": "cook_torrance"}', "# A\n#[1]", "# A\n#{\"format\": 2}"])
+@pytest.mark.parametrize("text", ["", "#\n", "# A\n#{}", '# A\n#{"model": "cook_torrance"}', "# A\n#[1]",
+                                  "# A\n#{\"format\": 2}"])
 def test_another_file_is_no_preset(text):
     with pytest.raises(FacetFilmError, match="no preset of Facet"):
         preset_from(text)

@@ -64,7 +64,9 @@ def view(angle):
 
 
 def drawn_gaussian(n_h, m):
-    """What is drawn for the Gaussian: even in the plane of angles, so α/(sin α cos α) of it; the weight has the rest."""
+    """What is drawn for the Gaussian: even in the plane of angles, so α/(sin α cos α) of it; the weight has
+    the rest.
+    """
     alpha = np.arccos(np.clip(n_h, 0.0, 1.0 - 1e-12))
     return gaussian(n_h, m, 1.0 / m ** 2) * alpha / (np.sin(alpha) * n_h)
 

@@ -118,7 +118,8 @@ def test_every_extreme_comes_up(model):
 FIELDS = {model.name: model.parameters for model in models.all_models()}
 PARAMETERS = [(model, name) for model, fields in FIELDS.items() for name in fields.__dataclass_fields__]
 scalars = st.one_of(st.floats(), st.integers(), st.text(max_size=5), st.booleans(), st.none(),
-                    st.sampled_from([math.nan, math.inf, -math.inf, -0.0, 1e308, 1e-320, "beckmann", "published", b"1"]))
+                    st.sampled_from([math.nan, math.inf, -math.inf, -0.0, 1e308, 1e-320, "beckmann", "published",
+                                     b"1"]))
 anything = st.one_of(scalars, st.lists(scalars, max_size=4), st.lists(st.tuples(scalars, scalars), max_size=5),
                      st.tuples(st.floats(0.0, 2.0), st.floats(0.0, 2.0), st.floats(0.0, 2.0)),
                      st.lists(st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0)), min_size=1, max_size=4),

@@ -1,4 +1,6 @@
-"""The model of docs/extending.md, written into a folder of its own, is a model of the extension: no other file is touched."""
+"""The model of docs/extending.md, written into a folder of its own, is a model of the extension: no other file is
+touched.
+"""
 
 import json
 import re
@@ -22,7 +24,8 @@ from addon.verify.running import checks
 from tests.drawn import drawn, properties_editor
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = dict(re.findall(r"`lambert/(\S+)`:\n\n```\w+\n(.*?)```", (ROOT / "docs" / "extending.md").read_text("utf-8"), re.DOTALL))
+DOCUMENT = (ROOT / "docs" / "extending.md").read_text(encoding="utf-8")
+FILES = dict(re.findall(r"`lambert/(\S+)`:\n\n```\w+\n(.*?)```", DOCUMENT, re.DOTALL))
 
 
 def forget():

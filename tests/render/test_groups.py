@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from addon import api
+from addon.bake import bake
+from addon.blender import compat
 from addon.blender.datablocks import fingerprints, groups, materials
 from tests.render import probes
 from tools import build_groups, stamps
@@ -86,7 +88,8 @@ def test_every_kind_of_node_in_our_groups_is_known_to_the_fingerprint():
 @pytest.mark.parametrize("change", [
     lambda tree, item: setattr(item, "default_value", 0.35), lambda tree, item: setattr(item, "max_value", 0.9),
     lambda tree, item: setattr(item, "name", "Rms Slope"), lambda tree, item: tree.interface.remove(item),
-    lambda tree, item: setattr(next(n for n in tree.nodes if n.bl_idname == "ShaderNodeBsdfMetallic"), "distribution", "GGX"),
+    lambda tree, item: setattr(next(n for n in tree.nodes if n.bl_idname == "ShaderNodeBsdfMetallic"), "distribution",
+                               "GGX"),
 ])
 def test_the_fingerprint_sees_the_interface_and_settings(change):
     tree = groups.build_group("cook_torrance_fast")
@@ -128,12 +131,16 @@ def test_switching_keeps_what_the_user_set(model):
     assert not [group.name for group in bpy.data.node_groups if group.name[-4:] == ".001"]
 
 
-def test_switching_bakes_again_for_the_formula_that_the_realisation_evaluates():
+@pytest.mark.parametrize("formula", ["exact", "blender-4.5"])
+def test_switching_bakes_again_for_the_formula_that_the_realisation_evaluates(formula, monkeypatch):
+    """Whatever this Blender's own formula is, the test knows both."""
+    monkeypatch.setattr(compat, "conductor_formula", lambda: formula)
+    native, exact = (bake("copper", formula=name).conductor.n for name in (formula, "exact"))
+    assert (native == pytest.approx(exact, rel=1e-5)) == (formula == "exact")
     material = api.create_material(preset="copper")
-    api.switch_realisation(material, "exact")
-    assert materials.parameters_of(material).n == pytest.approx(api.bake("copper", formula="exact").conductor.n, rel=1e-6)
-    api.switch_realisation(material, "fast")
-    assert materials.parameters_of(material).n == pytest.approx(api.bake("copper").conductor.n, rel=1e-6)
+    for realisation, n in (("fast", native), ("exact", exact), ("fast", native), ("osl", exact)):
+        api.switch_realisation(material, realisation)
+        assert materials.parameters_of(material).n == pytest.approx(n, rel=1e-6)
 
 
 def test_switching_leaves_a_changed_index_alone():

@@ -1,14 +1,19 @@
 """The operators, called as scripts and the panel call them."""
 
 import json
+from types import SimpleNamespace
 
 import bpy
 import pytest
 
 import addon
+from addon import api
 from addon.blender.datablocks import materials
+from addon.blender.operators import measurements
+from addon.blender.panels.preview import draw_preview
 from addon.export import spectrum_csv
 from addon.spectra.optical_constants import load
+from tests import drawn
 
 
 @pytest.fixture
@@ -46,11 +51,42 @@ def test_a_bad_file_changes_nothing(target, tmp_path):
     bpy.ops.facet_film.bake_preset(preset="copper")
     before = materials.parameters_of(target.active_material)
     file = tmp_path / "bad.csv"
-    file.write_text("wavelength_nm,n,k\n400,1.2,3\n380,1.1,2\n")
+    file.write_text("wavelength_nm,n,k\n400,1.2,3\n550,-1.1,2\n700,1.1,2\n")
     with pytest.raises(RuntimeError, match="line 3"):
         bpy.ops.facet_film.import_constants(filepath=str(file))
     assert materials.parameters_of(target.active_material) == before
     assert len(bpy.data.materials) == 1
+
+
+def test_a_file_that_can_mean_two_things_is_asked_about(target, tmp_path):
+    file = tmp_path / "two.txt"
+    file.write_text("400, 4.2\n700, 4.1\n")
+    with pytest.raises(RuntimeError, match="n or R"):
+        bpy.ops.facet_film.import_constants(filepath=str(file))
+    assert not bpy.data.materials
+    assert bpy.ops.facet_film.import_constants(filepath=str(file), choose="n") == {"FINISHED"}
+    assert materials.baked_of(target.active_material)["source"]["assumed"]
+    layout = drawn.Layout()
+    operator = SimpleNamespace(filepath=str(file), choose="")
+    draw_preview(layout, operator, measurements.preview_of(operator))
+    assert "choose" in layout.properties and "n or R" in " ".join(layout.texts)
+    operator.choose = "n"
+    layout = drawn.Layout()
+    draw_preview(layout, operator, measurements.preview_of(operator))
+    said = " ".join(layout.texts)
+    assert "400–700 nm" in said and "0.374" in said and "taken as 0" in said
+
+
+def test_a_surface_in_water_is_baked_again_in_water(target):
+    """Gold by Johnson and Christy under water, whose F0 is 1.031 .687 .285."""
+    assert bpy.ops.facet_film.bake_preset(preset="main/Au/Johnson", medium="water", gamut="leave") == {"FINISHED"}
+    material = target.active_material
+    assert materials.baked_of(material)["f0"] == pytest.approx((1.031, 0.687, 0.285), abs=1e-3)
+    api.rebake(material)
+    assert materials.baked_of(material)["f0"] == pytest.approx((1.031, 0.687, 0.285), abs=1e-3)
+    assert api.record_of(material).viewing["medium"] == "water"
+    with pytest.raises(RuntimeError, match="absorbs light"):
+        bpy.ops.facet_film.bake_preset(preset="gold", medium="silver")
 
 
 def test_check_and_spread_answer(target):

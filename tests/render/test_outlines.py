@@ -10,7 +10,9 @@ CASES = [
     ("cook_torrance", {"slopes": [(0.1, 1.0)]}), ("cook_torrance", {"slopes": [(0.4, 0.4), (0.2, 0.6)]}),
     ("layered_rgb", {"preset": "figure_5_79_106_nm"}), ("layered_rgb", {"preset": "nacre"})]
 BRIGHTEST = 3.0
-"""Of a pixel under a white sky: no drawn facet weighs more than 5, and no material reflects more than twice what arrives."""
+"""Of a pixel under a white sky: no drawn facet weighs more than 5, and no material reflects more than twice what
+arrives.
+"""
 
 
 def with_normals_all_over(material):

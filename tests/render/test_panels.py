@@ -1,4 +1,6 @@
-"""The panels and their operators: pickers, several objects, linked data, light and gamut, groups, the status of a scene."""
+"""The panels and their operators: pickers, several objects, linked data, light and gamut, groups, the status of a
+scene.
+"""
 
 import bpy
 import pytest
@@ -90,6 +92,32 @@ def test_baking_puts_one_material_on_all_selected_objects(objects):
     first, second, _ = objects
     assert first.active_material is not None and first.active_material == second.active_material
     assert len(bpy.data.materials) == 1
+
+
+def test_what_someone_made_by_hand_survives(objects):
+    """Shared with another object or not; the slot gets a material of its own, named as what it is."""
+    first, second, _ = objects
+    second.select_set(False)
+    by_hand = bpy.data.materials.new("By Hand")
+    compat.enable_nodes(by_hand)
+    nodes = [node.name for node in by_hand.node_tree.nodes]
+    for target in (first, second):
+        target.data.materials.append(by_hand)
+    assert bpy.ops.facet_film.bake_preset(preset="gold") == {"FINISHED"}
+    assert first.active_material.name == "Gold" and second.active_material == by_hand
+    assert [node.name for node in by_hand.node_tree.nodes] == nodes and materials.our_node(by_hand) is None
+
+
+def test_one_of_ours_is_made_over_where_nothing_else_uses_it(objects):
+    first, second, _ = objects
+    bpy.ops.facet_film.bake_preset(preset="copper")
+    both = first.active_material
+    bpy.ops.facet_film.bake_preset(preset="gold")
+    assert first.active_material == second.active_material == both and both.name == "Gold"
+    second.select_set(False)
+    bpy.ops.facet_film.bake_preset(preset="silver")
+    assert second.active_material == both and both.name == "Gold" and first.active_material.name == "Silver"
+    assert len(bpy.data.materials) == 2
 
 
 def test_light_and_gamut_reach_the_bake(objects):

@@ -22,7 +22,8 @@ from addon.spectra.illuminants import TITLES
 ADDON = Path(__file__).resolve().parents[2] / "addon"
 ROOM = ADDON / "blender"
 MARKED = {"iface_", "rpt_", "tip_", "n_"}
-ENGLISH_ONLY = {"shell/commands.py", "models/cook_torrance/parameters.py", "models/layered_rgb/parameters.py", "spectra/dispersion.py",
+ENGLISH_ONLY = {"shell/commands.py", "models/cook_torrance/parameters.py", "models/layered_rgb/parameters.py",
+                "spectra/dispersion.py",
                 "spectra/readers/reading.py", "spectra/readers/text.py", "export/materialx.py", "verify/running.py"}
 """Where errors are of scripts, of the shell, or of the lines of a file that someone imports: those stay English."""
 NOT_SHOWN = {
@@ -81,7 +82,8 @@ def errors_of_artists():
     """The sentences of errors that the panels' operators can meet, and what is said of a Blender without OSL."""
     returned = {node.value.value for node in ast.walk(tree_of(ADDON / "nodes" / "osl_compiler.py"))
                 if isinstance(node, ast.Return) and isinstance(node.value, ast.Constant)}
-    return {" or ", "preset"} | returned | {sentence.value for _, sentence in raised() if isinstance(sentence, ast.Constant)}
+    sentences = {sentence.value for _, sentence in raised() if isinstance(sentence, ast.Constant)}
+    return {" or ", "preset"} | returned | sentences
 
 
 def tree_of(file):
@@ -114,13 +116,16 @@ def texts_of_models():
 @pytest.fixture(scope="module")
 def texts():
     addon.register()
-    found = texts_of_classes() | texts_in_source() | errors_of_artists() | names_of_sockets() | set(TITLES.values()) | texts_of_models()
+    found = texts_of_classes() | texts_in_source() | errors_of_artists() | names_of_sockets() | texts_of_models()
+    found |= set(TITLES.values())
     addon.unregister()
     return {text for text in found if text and text not in LEFT_AS_THEY_ARE}
 
 
 def sentences_in(file):
-    """(line, text) of what looks like a sentence in a file: literals, and the fixed parts of f-strings; no docstrings."""
+    """(line, text) of what looks like a sentence in a file: literals, and the fixed parts of f-strings; no
+    docstrings.
+    """
     tree = tree_of(file)
     about = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
@@ -132,7 +137,8 @@ def sentences_in(file):
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.relative_to(ROOM).as_posix())
 def test_no_sentence_of_the_interface_is_left_unmarked(texts, file):
     """Each stands as it is in the tables: marked, or a label or description; none is put together by an f-string."""
-    unmarked = {f"line {line}: {text}" for line, text in sentences_in(file) if text not in texts | LEFT_AS_THEY_ARE | NOT_SHOWN}
+    known = texts | LEFT_AS_THEY_ARE | NOT_SHOWN
+    unmarked = {f"line {line}: {text}" for line, text in sentences_in(file) if text not in known}
     assert not unmarked, "\n".join(sorted(unmarked))
 
 

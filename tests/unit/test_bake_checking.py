@@ -26,7 +26,8 @@ def test_a_material_against_itself_is_nothing_off():
 
 @pytest.mark.parametrize("given", [{}, {"n": (1, 1, 1)}, {"n": (1, 1, 1), "k": (1, 1)},
                                    {"n": (1, 0, 1), "k": (1, 1, 1)}, {"n": (1, 1, 1), "k": (1, -1, 1)},
-                                   {"f0": (1.1, 1, 1)}, {"f0": (float("nan"), 1, 1)},
+                                   {"f0": (5, 1, 1.5)}, {"f0": "#ffd9"},
+                                   {"f0": "gold"}, {"f0": (256, 0, 0)}, {"f0": (float("nan"), 1, 1)},
                                    {"f0": (1, 1, 1), "preset": "gold"}])
 def test_wrong_parameters_are_clear_errors(given):
     with pytest.raises(FacetFilmError):
@@ -75,3 +76,15 @@ def test_baking_from_the_normal_reflectance_alone():
     assert not np.allclose(exact.f82_tint, paper.f82_tint, atol=0.05)
     measured = OpticalConstants([400.0, 700.0], [11.0, 11.0], [0.0, 0.0], "r", normal_only=True)
     assert np.allclose(bake(measured).f0, (10 / 12) ** 2, atol=1e-3)
+
+
+def test_a_colour_is_taken_as_people_have_it():
+    """Linear numbers above one, as of gold outside the gamut; sRGB as hex and from 0 to 255."""
+    gold = bake("gold")
+    assert max(gold.f0) > 1.0 and check("gold", f0=gold.f0, tint=gold.f82_tint).delta_e_2000_normal < 0.05
+    assert check("gold", f0=(0.9, 0.7, 0.3), tint=(1.1, 1.0, 1.0)).delta_e_2000_max > 0.0
+    by_hex, by_bytes = check("gold", f0="#ffd98b"), check("gold", f0=(255, 217, 139))
+    assert by_hex.f0 == by_bytes.f0 and np.allclose(by_hex.f0, (1.0, 0.694, 0.258), atol=1e-3)
+    wide = check("gold", f0="#ffd98b", space="Rec.2020")
+    assert wide.delta_e_2000_normal == pytest.approx(check("gold", f0="#ffd98b", space="Rec.2020").delta_e_2000_normal)
+    assert abs(wide.f0[0] - 1.0) > 0.02

@@ -1,5 +1,6 @@
 """Bakes of many datasets against an independent calculation, and how close the fits come."""
 
+import json
 import re
 
 import colour
@@ -8,7 +9,7 @@ import pytest
 
 from addon.bake import bake
 from addon.bake.colour import SPACES, adaptation, rgb_to_xyz, spectral_weights
-from addon.spectra import illuminants, observers, optical_constants
+from addon.spectra import illuminants, observers, optical_constants, tables
 
 IDS = optical_constants.dataset_ids()
 WAVELENGTH_NM = np.arange(360.0, 781.0)
@@ -73,6 +74,7 @@ def test_every_choice_of_light_and_observer_against_colour_science(illuminant, o
 def test_illuminants_are_all_that_colour_science_has_of_the_cie():
     theirs = {name.replace("FL", "F") for name in colour.SDS_ILLUMINANTS if not name.startswith("ISO")}
     assert set(illuminants.names()) == theirs
+    assert list(map(json.loads, tables.lines("cie", "illuminants"))) == list(illuminants.names())
     assert observers.names() == ("1931", "1964")
 
 

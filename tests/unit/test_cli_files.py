@@ -79,6 +79,6 @@ def test_wrong_input_is_refused_and_nothing_is_written(words, folder, capsys):
 
 
 def test_the_line_at_fault_is_named(folder, capsys):
-    (folder / "bad.csv").write_text("400,1.5\n300,1.5\n")
+    (folder / "bad.csv").write_text("400,1.5\n500,abc\n700,1.5\n")
     assert main(["bake", "bad.csv"]) == 2
     assert capsys.readouterr().err.startswith("error: bad.csv, line 2: ")

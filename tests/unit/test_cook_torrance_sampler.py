@@ -63,7 +63,8 @@ def test_light_goes_where_the_formula_sends_it(gaussian):
 
 def part_sums(l, values):
     """Sums over 4 bands of height times 6 sectors."""
-    part = np.minimum((l[:, 2] * 4).astype(int), 3) * 6 + ((np.arctan2(l[:, 1], l[:, 0]) / np.pi + 1) * 3).astype(int) % 6
+    sixth = ((np.arctan2(l[:, 1], l[:, 0]) / np.pi + 1) * 3).astype(int) % 6
+    part = np.minimum((l[:, 2] * 4).astype(int), 3) * 6 + sixth
     above = l[:, 2] > 0.0
     return np.stack([np.bincount(part[above], v[above], minlength=24) for v in values.T], axis=-1)
 
@@ -178,7 +179,8 @@ def narrow_lobe(x, v, l, h):
     other = np.cross(x.h, tangent)
 
     def in_frame(w):
-        return np.sum(w * tangent, axis=-1) * x.a_across, np.sum(w * other, axis=-1) * x.a_along, np.sum(w * x.h, axis=-1)
+        across, along = np.sum(w * tangent, axis=-1) * x.a_across, np.sum(w * other, axis=-1) * x.a_along
+        return across, along, np.sum(w * x.h, axis=-1)
 
     def smith_lambda(w):
         p, q, z = in_frame(w)

@@ -1,4 +1,6 @@
-"""Energy and reciprocity of both models over random materials and directions, and what the layered model lacks of them."""
+"""Energy and reciprocity of both models over random materials and directions, and what the layered model
+lacks of them.
+"""
 
 import numpy as np
 import pytest
@@ -51,7 +53,8 @@ def test_the_energy_check_fails_for_weights_above_one_and_for_the_published_scal
     assert both.min() > 1.1 and printed.min() > 3.9
 
 
-@given(directions, directions, slopes(), distributions, indices, extinctions, st.sampled_from([ct.ENERGY, ct.PUBLISHED]))
+@given(directions, directions, slopes(), distributions, indices, extinctions,
+       st.sampled_from([ct.ENERGY, ct.PUBLISHED]))
 def test_light_and_viewer_may_change_places(v, l, slopes, distribution, n, k, scale):
     options = dict(slopes=slopes, distribution=distribution, index=n, extinction=k, scale=scale, s=0.7,
                    normal_reflectance=np.array([0.8, 0.4, 0.2]))

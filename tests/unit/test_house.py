@@ -15,7 +15,8 @@ from addon.catalogue import presets
 
 ROOT = Path(__file__).resolve().parents[2]
 
-NUMPY_ROOMS = ("addon/reflectance/", "addon/models/", "addon/catalogue/", "addon/spectra/", "addon/bake/", "addon/export/", "addon/shell/")
+NUMPY_ROOMS = ("addon/reflectance/", "addon/models/", "addon/catalogue/", "addon/spectra/", "addon/bake/",
+               "addon/export/", "addon/shell/")
 BLENDER_MODULES = {"bpy", "bmesh", "mathutils", "gpu", "_bpy", "bpy_extras", "blf"}
 BLENDER_ROOMS = {"nodes", "blender", "api", "verify"}
 # Reached inside functions that only Blender, or someone who has it, calls.
@@ -197,4 +198,5 @@ def test_models_do_not_know_each_other(model):
     others = {"cook_torrance", "layered_rgb"} - {model}
     for name in PYTHON_FILES:
         if name.startswith(f"addon/models/{model}/"):
-            assert not [text for _, text in names_of_models(text_of(name)) if any(other in text for other in others)], name
+            named = [text for _, text in names_of_models(text_of(name))]
+            assert not [text for text in named if any(other in text for other in others)], name

@@ -106,7 +106,9 @@ def test_weights_are_bounded(case):
 @pytest.mark.parametrize("exponent", [5.0, 130.0, 2000.0])
 @pytest.mark.parametrize("width", [0.0, 0.3, 0.9])
 def test_weights_are_bounded_wherever_the_normals_point(exponent, width):
-    """From below the surface too, and for a lower boundary that is bumped by up to 85°: both as Normal sockets bring."""
+    """From below the surface too, and for a lower boundary that is bumped by up to 85°: both as Normal
+    sockets bring.
+    """
     count, r1, random = 100000, np.array((1.5, 1.6, 1.8)), np.random.default_rng(4)
     even = random.random((7, count))
     v = directions.direction(np.arccos(2.0 * even[0] - 1.0), 2.0 * math.pi * even[1])

@@ -1,4 +1,6 @@
-"""What Beckmann lobes of the default width make of the layered model, by quadrature: rings of a sphere under a sharp sun."""
+"""What Beckmann lobes of the default width make of the layered model, by quadrature: rings of a sphere under a sharp
+sun.
+"""
 
 import math
 
@@ -10,6 +12,7 @@ from addon.models.layered_rgb import sampler
 from addon.models.layered_rgb.parameters import LayeredRGB
 
 VIEW, EAST = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0])
+DEFAULT_WIDTH = LayeredRGB().sampling_width
 WAVELENGTHS = np.array(layered.WAVELENGTHS)
 FIGURE_3 = ((1.4, 1.45, 1.6), 90.0, 170.0)
 FIGURE_5 = ((1.5, 1.6, 1.8), 130.0, 130.0)
@@ -110,7 +113,7 @@ def seen(normals, lower, lamp, case, thickness, width):
     return total
 
 
-def ring_biases(case, deviation, thickness, polar, width=LayeredRGB().sampling_width):
+def ring_biases(case, deviation, thickness, polar, width=DEFAULT_WIDTH):
     """Relative difference from the formula in the mean of each ring and channel that is not dark."""
     lamp = np.array([math.sin(polar), 0.0, math.cos(polar)])
     normals, ring = sphere()

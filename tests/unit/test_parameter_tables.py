@@ -1,4 +1,6 @@
-"""The tables of the models, and what is made of them: checked classes, sockets, the OSL text's signature, the document."""
+"""The tables of the models, and what is made of them: checked classes, sockets, the OSL text's signature,
+the document.
+"""
 
 import re
 
@@ -7,8 +9,8 @@ import pytest
 
 from addon import models
 from addon.errors import FacetFilmError
-from addon.models.realisations import REALISATIONS
 from addon.models.parameters import read, written
+from addon.models.realisations import REALISATIONS
 from tools import build_parameters
 
 MODELS = models.all_models()
@@ -23,7 +25,8 @@ def test_every_row_says_what_it_is_and_where_it_may_lie(model, row):
     for socket in row.sockets():
         assert socket.tip and socket.name and socket.key.isidentifier()
         if socket.low is not None and socket.default is not None:
-            assert np.all(np.asarray(socket.default) >= socket.low) and np.all(np.asarray(socket.default) <= socket.high)
+            assert np.all(np.asarray(socket.default) >= socket.low)
+            assert np.all(np.asarray(socket.default) <= socket.high)
         assert socket.plugged == (socket.default is None)
 
 
@@ -38,7 +41,8 @@ def test_no_socket_of_a_group_stands_twice(model):
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: model.name)
 def test_the_defaults_come_back_from_the_sockets(model):
     parameters = model.parameters()
-    values = {socket.name: socket.default for realisation in model.realisations for socket in model.sockets(realisation)}
+    values = {socket.name: socket.default
+              for realisation in model.realisations for socket in model.sockets(realisation)}
     assert model.read(values, {}) == parameters
     held = {**values, **written(parameters)}
     assert {name: value for name, value in read(model.parameters.TABLE, held).items()} \
@@ -76,7 +80,8 @@ def test_the_osl_text_has_the_parameters_of_the_table(model):
 
 
 def test_a_signature_is_read():
-    text = "shader x(\n    float A = 1.5,\n    color B = color(0.8),\n    vector C = vector(1, 2, 3),\n    int D = 1)\n{"
+    text = ("shader x(\n    float A = 1.5,\n    color B = color(0.8),\n    vector C = vector(1, 2, 3),\n"
+            "    int D = 1)\n{")
     assert signature(text) == {"A": ("float", [1.5]), "B": ("color", [0.8]), "C": ("vector", [1.0, 2.0, 3.0]),
                                "D": ("int", [1.0])}
 

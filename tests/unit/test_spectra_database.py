@@ -161,3 +161,11 @@ def test_search_says_what_covers_the_visible_in_part():
 def test_every_material_has_a_name_without_underscores():
     for dataset in IDS:
         assert all(name and "_" not in name for name in names.material_names(dataset)), dataset
+
+
+@pytest.mark.parametrize("typed, first", [
+    ("Kupfer", "copper"), ("金", "gold"), ("不锈钢", "stainless_steel"), ("tungstn", "tungsten"), ("coper", "copper"),
+    ("SnTe", None), ("蓝宝石玻", None), ("patina", None)])
+def test_words_of_other_languages_are_found_and_what_is_not_there_is_not_made_up(typed, first):
+    found = search(typed, 1)
+    assert [one.id for one in found] == ([first] if first else [])

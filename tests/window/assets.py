@@ -1,4 +1,6 @@
-"""The asset library: added by the button, dragged from an Asset Browser onto the cube, rendered; Re-bake All stopped."""
+"""The asset library: added by the button, dragged from an Asset Browser onto the cube, rendered; Re-bake
+All stopped.
+"""
 
 import sys
 from pathlib import Path
@@ -17,7 +19,8 @@ def session():
     step("drag a material from the Asset Browser onto the cube")
     with within(area_of("PROPERTIES")):
         bpy.ops.facet_film.add_asset_library()
-    # A cube that fills the view is hit in its middle; the editor below the view is too low for assets, the right one not.
+    # A cube that fills the view is hit in its middle; the editor below the view is too low for assets, the right one
+    # not.
     area = area_of("PROPERTIES")
     area.ui_type = "ASSETS"
     yield 1.0

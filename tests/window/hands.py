@@ -177,9 +177,9 @@ def redo(at):
 
 
 def record():
-    """What our material on the cube says of itself."""
+    """What was baked into the cube's material."""
     material = bpy.data.objects["Cube"].active_material
-    return json.loads(material.get("facet_film", "{}")) if material else {}
+    return json.loads(material.get("facet_film", "{}")).get("baked", {}) if material else {}
 
 
 def preset():
@@ -194,7 +194,9 @@ def group():
 
 
 def play(session, samples=4):
-    """Drive a session, write the report, quit. The viewport renders `samples`: it no longer takes a number set later."""
+    """Drive a session, write the report, quit. The viewport renders `samples`: it no longer takes a number
+    set later.
+    """
     faulthandler.dump_traceback_later(HANGS_AFTER, file=log_file)
     bpy.context.preferences.view.show_splash = False
     bpy.context.scene.render.engine = "CYCLES"  # EEVEE's shaders take a minute to compile without a graphics card

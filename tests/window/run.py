@@ -3,8 +3,8 @@
     python tests/window/run.py --blender COMMAND [--out FOLDER]
 
 COMMAND starts a Blender with a display, or is a script that does and takes the same arguments. FOLDER (out/window)
-gets a folder a session: its log, its pictures, its profile. A session that failed is run once more, within the first five minutes. Exit status 1:
-a step failed; 3: that Blender opened no window, so nothing was tested.
+gets a folder a session: its log, its pictures, its profile. A session that failed is run once more, within the first
+five minutes. Exit status 1: a step failed; 3: that Blender opened no window, so nothing was tested.
 """
 
 import argparse
@@ -40,7 +40,8 @@ def main():
     options = parser.parse_args()
     blender = shlex.split(options.blender)
     if not blender or not shutil.which(blender[0]):
-        sys.exit(f"--blender {options.blender!r}: no such program; give the path of a Blender, or a command that starts one")
+        sys.exit(f"--blender {options.blender!r}: no such program; give the path of a Blender, or a command that "
+                 "starts one")
     out = options.out.resolve()
     package = build(out)
     results = [twice(name, blender, package, out) for name in options.sessions]

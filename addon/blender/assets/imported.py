@@ -24,7 +24,8 @@ def _after_import(imported, *_):
     for material in materials:
         _renew(material)
     for identifier in trees:
-        node_group(identifier)
+        if sum(one.get(ID_KEY) == identifier for one in bpy.data.node_groups) > 1:
+            node_group(identifier)
 
 
 def _is_for_another_blender(material):

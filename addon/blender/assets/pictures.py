@@ -24,7 +24,8 @@ def ball(what):
 
     what  what :func:`addon.catalogue.resolving.resolve` understands
 
-    Returns sRGB times alpha, and alpha, ``(SIZE, SIZE, 4)``, bottom row first.  Raises FacetFilmError for an unknown name.
+    Returns sRGB times alpha, and alpha, ``(SIZE, SIZE, 4)``, bottom row first.  Raises FacetFilmError for an unknown
+    name.
     """
     record = made(preset=what)
     x, y, z, cover = _geometry()

@@ -75,7 +75,9 @@ def _of_link(link):
 
 
 def fingerprint_0_1_0(tree):
-    """As 0.1.0 took it, without interface, settings and scripts: to know whether someone edited a group of its files."""
+    """As 0.1.0 took it, without interface, settings and scripts: to know whether someone edited a group of
+    its files.
+    """
     digest = hashlib.sha256()
     for node in tree.nodes:
         if node.bl_idname == "NodeFrame":

@@ -10,8 +10,8 @@ __all__ = ["is_editable", "require_editable", "why_locked"]
 def require_editable(datablock) -> None:
     """Raise FacetFilmError, with the way out, for a datablock that cannot be changed."""
     if datablock.library is not None:
-        raise FacetFilmError("{material} is linked from another file: make it local first (Object, Relations, Make Local)",
-                             material=datablock.name)
+        raise FacetFilmError("{material} is linked from another file: make it local first (Object, Relations, "
+                             "Make Local)", material=datablock.name)
     if datablock.override_library is not None:
         raise FacetFilmError("{material} is a library override, whose nodes and slots belong to another file: make it "
                              "local first (Object, Relations, Make Local)", material=datablock.name)

@@ -20,7 +20,8 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
     bl_label = "Add Facet & Film Group"
     bl_options = {"REGISTER", "UNDO"}
 
-    group: bpy.props.EnumProperty(name="Group", items=lambda _self, _context: group_items(), description="Which group to add")
+    group: bpy.props.EnumProperty(
+        name="Group", items=lambda _self, _context: group_items(), description="Which group to add")
     preset: preset_property()
 
     @classmethod

@@ -26,7 +26,8 @@ class FACET_FILM_OT_add_asset_library(bpy.types.Operator):
         """Point the preferences at the folder that came with the extension."""
         context.preferences.filepaths.asset_libraries.new(name=NAME, directory=str(FOLDER))
         context.preferences.is_dirty = True
-        self.report({"INFO"}, rpt_("Open an Asset Browser and choose the library {:s}: drag a material onto an object").format(NAME))
+        said = rpt_("Open an Asset Browser and choose the library {:s}: drag a material onto an object")
+        self.report({"INFO"}, said.format(NAME))
         return {"FINISHED"}
 
 

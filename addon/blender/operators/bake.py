@@ -26,7 +26,7 @@ class FACET_FILM_OT_bake_preset(OnActiveObject, Viewing, bpy.types.Operator):
         """Bake, and put the material in the slots."""
         from ...api import create_material
         try:
-            with target_material(context.active_object) as target:
+            with target_material(context) as target:
                 target.material = create_material(preset=self.preset, realisation=self.realisation,
                                                   material=target.material, viewing=viewing_of(self))
         except FacetFilmError as error:

@@ -7,7 +7,7 @@ from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..datablocks.locked import is_editable, why_locked
-from ..datablocks.materials import baked_of
+from ..datablocks.materials import baked_of, our_node
 
 __all__ = ["OnActiveObject", "active_material", "put_on_selected", "said_of", "target_material", "why_not"]
 
@@ -30,16 +30,28 @@ def active_material(context):
 
 
 @contextmanager
-def target_material(target):
-    """The editable material in the object's active slot as `.material`, or None where there is none.
+def target_material(context):
+    """The material of the active object's slot that may be made over as `.material`, or None where a new one is due.
 
-    Whatever `.material` is at the end stands in the slot.
+    Whatever `.material` is at the end stands in the slot.  A material that someone made by hand, and one of ours that
+    something else uses too, stay as they are.
     """
-    found = target.active_material
-    held = SimpleNamespace(material=found if found and is_editable(found) else None)
+    target = context.active_object
+    held = SimpleNamespace(material=target.active_material if _may_be_made_over(context) else None)
     yield held
     if target.active_material != held.material:
         target.active_material = held.material
+
+
+def _may_be_made_over(context):
+    """Whether the active material is ours, of this file, and in no slot but those of the selected objects."""
+    material = context.active_object.active_material
+    if material is None or not is_editable(material) or our_node(material) is None:
+        return False
+    slots = {(slot.id_data if slot.link == "OBJECT" else slot.id_data.data, number)
+             for target in {context.active_object, *context.selected_objects}
+             for number, slot in enumerate(target.material_slots) if slot.material == material}
+    return material.users - material.use_fake_user <= len(slots)
 
 
 def put_on_selected(context):

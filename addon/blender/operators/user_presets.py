@@ -106,7 +106,7 @@ class FACET_FILM_OT_apply_user_preset(OnActiveObject, bpy.types.Operator):
         """Read the file, put the material in the slots."""
         try:
             text = _text_of(self.filepath)
-            with target_material(context.active_object) as target:
+            with target_material(context) as target:
                 target.material = material_of(text, target.material)
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))

@@ -40,7 +40,9 @@ def draw_facts(layout, facts, region=None):
 
 
 def units_of(tree):
-    """{socket: its unit} of one of our groups, for those that Blender does not show by itself, as it does for angles."""
+    """{socket: its unit} of one of our groups, for those that Blender does not show by itself, as it does
+    for angles.
+    """
     identifier = group_id(tree)
     model = model_of_group(identifier)
     return _units(model, identifier) if model else {}

@@ -109,7 +109,7 @@ class FACET_FILM_PT_light(MaterialPanel, bpy.types.Panel):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
-        for name in ("illuminant", "adapt", "observer", "space", "gamut"):
+        for name in ("illuminant", "adapt", "observer", "medium", "space", "gamut"):
             layout.prop(settings, name)
         layout.operator("facet_film.rebake_all", icon="FILE_REFRESH")
 

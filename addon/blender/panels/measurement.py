@@ -58,6 +58,8 @@ def facts_of(record):
     if gamut["outside"]:
         moved = iface_("Outside: {:s}, channels moved by up to {:.3f}").format(
             iface_(gamut["method"].capitalize()), gamut["largest_change"])
+    assumed = [(n_("Read As"), line) for line in source.get("assumed", ())]
+    outside = [(n_("Outside"), str(record["medium"]))] if record.get("medium", 1.0) != 1.0 else []
     return (
         ("F0", _three(record["f0"])),
         (n_("F82 Tint"), _three(record["f82_tint"])),
@@ -68,6 +70,7 @@ def facts_of(record):
         (n_("Gamut"), moved),
         (n_("Dataset"), source["dataset"]),
         (n_("Citation"), source["citation"]),
+        *outside, *assumed,
     )
 
 

@@ -67,16 +67,16 @@ TEXTS = {
         "请先烘焙实测材质：没有可重新烘焙的内容",
     "Bake a measured material first: there is nothing to export":
         "请先烘焙一个实测材质：没有可导出的内容",
+    "Bake a measurement from a file: tables of n and k, permittivity or reflectance in any layout and unit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON and others":
+        "从文件烘焙测量数据：任意布局与单位的 n 与 k、介电常数或反射率表格；refractiveindex.info、SOPRA、WVASE、Zemax、CGATS、JSON 等",
+    "Bake a measurement from the clipboard: a table of n and k, permittivity or reflectance":
+        "从剪贴板烘焙测量数据：n 与 k、介电常数或反射率的表格",
     "Bake a preset first: this material is not one of Facet & Film":
         "请先烘焙预设：此材质不属于 Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
         "将预设烘焙到选中的组节点；已有连线保留",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "按上方选择的光源与工作空间重新烘焙此文件的所有实测材质。按 Esc 停止，且不作任何更改",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "从文件烘焙光学常数：波长、n、k 或波长、R 的 CSV 或文本；refractiveindex.info 的 CSV 与 YAML；SOPRA 与 LuxPop 的 .nk",
-    "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
-        "从剪贴板烘焙光学常数：波长、n、k 或波长、R 的表格",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -99,6 +99,8 @@ TEXTS = {
         "核对",
     "Check Against a Measurement":
         "与测量值核对",
+    "Choose a file: here stands what it is read as":
+        "选择文件：此处显示它被读作什么",
     "Citation":
         "引文",
     "Clear Dispersive":
@@ -283,6 +285,8 @@ TEXTS = {
         "OSL 脚本中的原生闭包：需启用开放着色语言",
     "Native closures: light-sampled, on every device, and in EEVEE":
         "原生闭包：支持光源采样、所有设备以及 EEVEE",
+    "Nearest":
+        "最接近",
     "New Name":
         "新名称",
     "Nodes updated: {:d}":
@@ -299,12 +303,16 @@ TEXTS = {
         "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
     "Observer":
         "观察者",
+    "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
+        "当文件包含多项内容或有多种含义时：选择哪一项。含义明确时留空",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
     "Other Conductors":
         "其他导体",
+    "Outside":
+        "外部介质",
     "Outside IOR":
         "外部折射率",
     "Outside: {:s}, channels moved by up to {:.3f}":
@@ -335,6 +343,8 @@ TEXTS = {
         "重新烘焙",
     "Re-bake All Materials":
         "重新烘焙所有材质",
+    "Read As":
+        "读作",
     "Realisation":
         "实现方式",
     "Reflectance at normal incidence":
@@ -417,6 +427,8 @@ TEXTS = {
         "纹理占比",
     "The Papers' Figures":
         "论文中的图",
+    "The colour inside that looks most alike, by CIEDE2000":
+        "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
     "The folder of {file!r} does not exist; make it first, or name another.":
@@ -437,6 +449,10 @@ TEXTS = {
         "库 {:s} 已不在偏好设置中",
     "The measured points: wavelength_nm, n, k":
         "测量点：wavelength_nm, n, k",
+    "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
+        "外部介质须为 1 到 4 之间的数，或透明材料，例如 1.33 或 'water'，而不是 {value!r}。",
+    "The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of your own: give its index.":
+        "外部介质以折射率、预设或数据集指定；{medium} 是您自己的测量数据：请给出其折射率。",
     "The preset to rename":
         "要重命名的预设",
     "The preset {file!r} cannot be read.":
@@ -479,6 +495,8 @@ TEXTS = {
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Tint":
         "染色",
+    "Towards grey of the same luminance, until inside: the 1982 paper's way":
+        "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Towards grey of the same luminance, until inside: the hue stays":
         "朝相同亮度的灰色移动，直到进入色域：色相不变",
     "Update Materials":
@@ -505,6 +523,8 @@ TEXTS = {
         "权重 3",
     "Weight 4":
         "权重 4",
+    "What the surface is in: air, an index such as 1.33, or a clear material such as water":
+        "表面所处的介质：空气、折射率（如 1.33）或透明材质（如水）",
     "What to call it":
         "新的叫法",
     "What to compare":
@@ -673,18 +693,26 @@ TEXTS = {
         "{file!r} 正在写入；若并非如此，请删除 {aside!r}。",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} 受保护或不是普通文件；请另指定一个。",
+    "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
+        "{material} 会吸收光，不能作为外部介质；请给出透明的介质，例如 'water'，或其折射率，例如 1.33。",
     "{material} has no Principled BSDF that comes close: name a measured preset.":
         "{material} 没有相近的原理化 BSDF：请指定一个测量预设。",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} 不含测量数据：请先烘焙一个测量预设。",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
         "{material} 是库重写，其节点与槽属于另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{material} is known by its reflectance in air alone: none in another medium follows; take data of n and k.":
+        "{material} 只有在空气中的反射率：无法由此得出在其他介质中的反射率；请使用 n 和 k 的数据。",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
+    "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
+        "{name} {value!r} 不是颜色：线性数值最大为 {most}，255 以内的整数为 sRGB。",
+    "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
+        "{name} {value!r} 不是颜色；请给出三个数，或类似 '#ffd98b' 的值。",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "未知{name} {value!r}；有效值：{valid}。",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":

@@ -67,16 +67,16 @@ TEXTS = {
         "Erst ein gemessenes Material backen: Es gibt nichts neu zu backen",
     "Bake a measured material first: there is nothing to export":
         "Erst ein gemessenes Material backen: Es gibt nichts zu exportieren",
+    "Bake a measurement from a file: tables of n and k, permittivity or reflectance in any layout and unit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON and others":
+        "Backt eine Messung aus einer Datei: Tabellen von n und k, Permittivität oder Reflexionsgrad in jeder Anordnung und Einheit; refractiveindex.info, SOPRA, WVASE, Zemax, CGATS, JSON und andere",
+    "Bake a measurement from the clipboard: a table of n and k, permittivity or reflectance":
+        "Backt eine Messung aus der Zwischenablage: eine Tabelle von n und k, Permittivität oder Reflexionsgrad",
     "Bake a preset first: this material is not one of Facet & Film":
         "Erst eine Voreinstellung backen: Dieses Material ist keines von Facet & Film",
     "Bake a preset into the selected group node; what is plugged into it stays":
         "Backt eine Voreinstellung in den ausgewählten Gruppen-Node; was eingesteckt ist, bleibt",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "Backt jedes gemessene Material dieser Datei neu, im oben gewählten Licht und Arbeitsfarbraum. Esc bricht ab, dann ändert sich nichts",
-    "Bake optical constants from a file: CSV or text of wavelength, n, k or of wavelength, R; refractiveindex.info's CSV and YAML; SOPRA and LuxPop .nk":
-        "Backt optische Konstanten aus einer Datei: CSV oder Text mit Wellenlänge, n, k oder Wellenlänge, R; CSV und YAML von refractiveindex.info; .nk von SOPRA und LuxPop",
-    "Bake optical constants from the clipboard: a table of wavelength, n, k or of wavelength, R":
-        "Backt optische Konstanten aus der Zwischenablage: eine Tabelle mit Wellenlänge, n, k oder Wellenlänge, R",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -99,6 +99,8 @@ TEXTS = {
         "Prüfen",
     "Check Against a Measurement":
         "Mit einer Messung prüfen",
+    "Choose a file: here stands what it is read as":
+        "Eine Datei wählen: Hier steht, als was sie gelesen wird",
     "Citation":
         "Quelle",
     "Clear Dispersive":
@@ -283,6 +285,8 @@ TEXTS = {
         "Eingebaute Shader aus einem OSL-Skript: Open Shading Language muss eingeschaltet sein",
     "Native closures: light-sampled, on every device, and in EEVEE":
         "Eingebaute Shader: mit Lichtabtastung, auf jedem Gerät und in EEVEE",
+    "Nearest":
+        "Nächste",
     "New Name":
         "Neuer Name",
     "Nodes updated: {:d}":
@@ -299,12 +303,16 @@ TEXTS = {
         "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
     "Observer":
         "Beobachter",
+    "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
+        "Bei einer Datei, die mehreres enthält oder bedeuten kann: welches. Leer, wo die Bedeutung klar ist",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
     "Other Conductors":
         "Andere Leiter",
+    "Outside":
+        "Außen",
     "Outside IOR":
         "Brechzahl außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
@@ -335,6 +343,8 @@ TEXTS = {
         "Neu backen",
     "Re-bake All Materials":
         "Alle Materialien neu backen",
+    "Read As":
+        "Gelesen als",
     "Realisation":
         "Umsetzung",
     "Reflectance at normal incidence":
@@ -417,6 +427,8 @@ TEXTS = {
         "Texturanteil",
     "The Papers' Figures":
         "Abbildungen der Veröffentlichungen",
+    "The colour inside that looks most alike, by CIEDE2000":
+        "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
     "The folder of {file!r} does not exist; make it first, or name another.":
@@ -437,6 +449,10 @@ TEXTS = {
         "Die Bibliothek {:s} steht nicht mehr in den Einstellungen",
     "The measured points: wavelength_nm, n, k":
         "Die gemessenen Punkte: wavelength_nm, n, k",
+    "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
+        "Das Medium außen ist eine Zahl von 1 bis 4 oder ein klares Material, etwa 1.33 oder 'water', nicht {value!r}.",
+    "The medium outside is named by its index, a preset or a dataset; {medium} is a measurement of your own: give its index.":
+        "Das Medium außen heißt nach seinem Index, einer Voreinstellung oder einem Datensatz; {medium} ist eine eigene Messung: den Index angeben.",
     "The preset to rename":
         "Die umzubenennende Voreinstellung",
     "The preset {file!r} cannot be read.":
@@ -479,6 +495,8 @@ TEXTS = {
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Tint":
         "Tönung",
+    "Towards grey of the same luminance, until inside: the 1982 paper's way":
+        "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Towards grey of the same luminance, until inside: the hue stays":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
     "Update Materials":
@@ -505,6 +523,8 @@ TEXTS = {
         "Gewicht 3",
     "Weight 4":
         "Gewicht 4",
+    "What the surface is in: air, an index such as 1.33, or a clear material such as water":
+        "Worin die Oberfläche liegt: Luft, ein Index wie 1.33 oder ein klares Material wie Wasser",
     "What to call it":
         "Wie sie heißen soll",
     "What to compare":
@@ -673,18 +693,26 @@ TEXTS = {
         "{file!r} wird schon geschrieben; wenn nicht, {aside!r} entfernen.",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
+    "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
+        "{material} absorbiert Licht und kann nicht das Medium außen sein; ein klares nennen, etwa 'water', oder dessen Brechzahl, etwa 1.33.",
     "{material} has no Principled BSDF that comes close: name a measured preset.":
         "{material} hat keinen Principled BSDF, der nahe kommt: eine gemessene Voreinstellung nennen.",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} enthält keine Messung: erst eine gemessene Voreinstellung backen.",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":
         "{material} ist eine Bibliotheksüberschreibung, deren Nodes und Slots einer anderen Datei gehören: erst lokal machen (Objekt, Relationen, Lokal machen)",
+    "{material} is known by its reflectance in air alone: none in another medium follows; take data of n and k.":
+        "Von {material} ist nur die Reflexion in Luft bekannt: Für ein anderes Medium folgt daraus keine; Daten mit n und k nehmen.",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
+    "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
+        "{name} {value!r} ist keine Farbe: Lineare Zahlen gehen bis {most}, ganze bis 255 sind sRGB.",
+    "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
+        "{name} {value!r} ist keine Farbe; drei Zahlen angeben, oder eine wie '#ffd98b'.",
     "{name} {value!r} is unknown; Valid: {valid}.":
         "{name} {value!r} ist unbekannt; gültig: {valid}.",
     "{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.":

@@ -4,9 +4,8 @@ import numpy as np
 
 from ...bake import bake
 from ...bake.colour import rgb_to_xyz
-from ...bake.reflected import Viewing
+from ...bake.reflected import AT_NORMAL, Viewing, reflect
 from ...reflectance import fresnel
-from ...spectra import observers, optical_constants
 from ..model import Baked, Look
 from ..realisations import REALISATIONS
 from .parameters import CookTorrance
@@ -78,10 +77,10 @@ def diffuse_colour(source, baked):
     """
     if source == SPECULAR:
         return baked.normal_rgb
-    viewing = Viewing(baked.illuminant, baked.observer, baked.space, baked.adapted, baked.gamut.method)
+    viewing = Viewing(baked.illuminant, baked.observer, baked.space, baked.adapted, baked.gamut.method,
+                      baked.medium)
     if isinstance(source, str):
-        n, k = optical_constants.load(source).at(observers.WAVELENGTH_NM)
-        rgb = fresnel.conductor(1.0, n, k) @ viewing.weights
+        rgb = reflect(source, viewing).colours[AT_NORMAL]
     else:
         rgb = np.linalg.solve(rgb_to_xyz(viewing.space), rgb_to_xyz("Rec.709") @ np.array(source, float))
     return tuple(viewing.map(rgb)[0].tolist())

@@ -44,8 +44,8 @@ from ...reflectance.masking import smith_lambda_of_slope
 from ...reflectance.sampling import narrowed, squared_tilt, towards_flanks
 from ...reflectance.slopes import gaussian_c
 
-__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "facet", "native_over_d", "sharpened_v_cavity",
-           "facet_weight", "HEADROOM", "FLANKS"]
+__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "facet", "native_over_d",
+           "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
 SMALLEST_LEVEL = 1e-3

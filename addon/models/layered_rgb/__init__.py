@@ -1,4 +1,6 @@
-"""Granier and Heidrich 2003: interference and colour separation in a thin layer whose boundaries need not be parallel."""
+"""Granier and Heidrich 2003: interference and colour separation in a thin layer whose boundaries need not
+be parallel.
+"""
 
 from ..model import Form, Group, Model
 from .parameters import THICKNESS_GROUP, LayeredRGB
@@ -49,7 +51,8 @@ MODEL = Model(
               "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device",
               stand_in="layered_rgb_fast"),
         Group("layered_rgb_osl", "Layered RGB OSL", 2, "osl.build",
-              "The formula of Granier and Heidrich 2003 itself as an OSL script", stand_in="layered_rgb_fast", osl=True),
+              "The formula of Granier and Heidrich 2003 itself as an OSL script", stand_in="layered_rgb_fast",
+              osl=True),
         Group("layered_rgb_osl_fast", "Layered RGB OSL Fast", 2, "osl.build_fast",
               "Native closures from an OSL script", stand_in="layered_rgb_fast", osl=True, in_menu=False),
         Group(THICKNESS_GROUP, "Layer Thickness", 1, "thickness.build",

@@ -43,6 +43,7 @@ __all__ = [
 R0 = 1.0
 """Refractive index of what surrounds the object."""
 
+
 def cos_refracted(cos_theta, r1):
     """Cosine inside the layer of a ray that meets n0 at cos_theta outside (Snell's law).
 

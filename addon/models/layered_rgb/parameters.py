@@ -123,7 +123,8 @@ TABLE = (
     Direction(name="normal", symbol="n0", socket="Normal",
               tip="Normal n0 of the upper boundary; the surface's own where nothing is plugged in"),
     Direction(name="lower_normal", symbol="n1", socket="Lower Normal", key="lower",
-              tip="Normal n1 of the lower boundary, a Bump node's for instance; takes the place of Deviation and Azimuth"),
+              tip="Normal n1 of the lower boundary, a Bump node's for instance; "
+                  "takes the place of Deviation and Azimuth"),
     Direction(name="tangent", socket="Tangent",
               tip="Direction that the azimuth is counted from; around the object's Z axis where nothing is plugged in"),
     Number(name="sampling_width", socket="Sampling Width", key="width", default=0.3, low=0.0, high=0.9,
@@ -138,8 +139,8 @@ TABLE = (
     Number(name="noise_detail", socket="Noise Detail", default=2.0, low=0.0, high=15.0, group=THICKNESS_GROUP,
            tip="Octaves of the Perlin noise"),
     Correlated(name="correlated", default=False, group=THICKNESS_GROUP,
-               tip="The lower boundary tilts along the gradient of the thickness, as bump mapping does, by the deviation "
-                   "where the noise climbs through its range within one feature"),
+               tip="The lower boundary tilts along the gradient of the thickness, as bump mapping does, by the "
+                   "deviation where the noise climbs through its range within one feature"),
     Slider(name="texture", socket="Texture", default=0.5, low=0.0, high=1.0, subtype="FACTOR", group=THICKNESS_GROUP,
            tip="A field of your own between 0 and 1, a texture's for instance"),
     Slider(name="texture_share", socket="Texture Share", default=0.0, low=0.0, high=1.0, subtype="FACTOR",

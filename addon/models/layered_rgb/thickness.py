@@ -18,7 +18,8 @@ def build(builder):
     with builder.frame("Field"):
         own = builder.node("ShaderNodeTexCoord", output="Object")
         at = where(less(dot(sockets.coordinates, sockets.coordinates), NOTHING), own, sockets.coordinates)
-        noise = builder.node("ShaderNodeTexNoise", {"Vector": at, "Scale": scale, "Detail": sockets.noise_detail}, "Fac")
+        noise = builder.node("ShaderNodeTexNoise", {
+            "Vector": at, "Scale": scale, "Detail": sockets.noise_detail}, "Fac")
         noise = clip(0.5 + SPREAD * (noise - 0.5), 0.0, 1.0)
         field = noise + sockets.texture_share * (sockets.texture - noise)
     with builder.frame("Lower normal"):

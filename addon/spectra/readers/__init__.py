@@ -1,12 +1,21 @@
-"""A user's own measurements, from a file or pasted as text.
+"""A user's own measurements, from a file or pasted as text: a pipeline whose rules each have one place.
 
-columns.py   wavelength, n[, k] or wavelength, R; the two-block CSV of refractiveindex.info; LuxPop .nk
-sopra.py     SOPRA .nk
-database.py  YAML of refractiveindex.info
-One more format is one more file with a function from a Text to OpticalConstants,
-and a line in :func:`read_text`'s list.
+text.py      bytes -> numbered lines; the one way to refuse, to ask and to say what was assumed
+rows.py      lines -> tables of cells: what parts columns, how numbers are written, remarks
+wide.py      the same for tables that lie on their side, one spectrum a row
+headings.py  words -> quantities and units, in many languages
+units.py     units of the axis, and which of them numbers can be
+columns.py   cells -> quantities over wavelength
+pairs.py     the other half of n and k, in a file beside
+quantities.py  ε, complex numbers, R, absorption -> n and k
+points.py    what has to hold for points -> OpticalConstants
+Formats of their own: database.py (refractiveindex.info), address.py (its pages), glass.py (Zemax),
+sopra.py, structured.py (JSON, HTML, CGATS, scenes).
+A new word, unit, mark or separator is one more entry in a table; a new format one more file with a
+function from a Text to OpticalConstants, and a line in reading.py's list.
 """
 
-from .reading import SUFFIXES, read, read_file, read_text
+from .reading import FORMATS, SUFFIXES, format_of, read, read_file, read_text
+from .text import Ambiguous
 
-__all__ = ["SUFFIXES", "read", "read_file", "read_text"]
+__all__ = ["FORMATS", "SUFFIXES", "Ambiguous", "format_of", "read", "read_file", "read_text"]

@@ -9,9 +9,9 @@ import re
 import numpy as np
 
 from ..optical_constants import VISIBLE_NM, sampled_formula
-from .headings import in_nm
 from .points import LICENCE, Points, checked, constants
 from .text import number_of
+from .units import in_nm
 
 __all__ = ["is_database", "read_database"]
 
@@ -19,16 +19,20 @@ TOP = re.compile(r"([A-Za-z_]\w*):(?:\s+(.*))?$")
 ITEM = re.compile(r"\s*-\s+(\w+):(?:\s+(.*))?$")
 KEY = re.compile(r"\s+(\w+):(?:\s+(.*))?$")
 TABULATED = {"tabulated n": ("n",), "tabulated k": ("k",), "tabulated nk": ("n", "k")}
+NONLINEAR = {"tabulated n2", "formula n2"}
 TYPES = "'tabulated n', 'tabulated k', 'tabulated nk' or 'formula 1' to 'formula 9'"
 EXAMPLE = "an entry such as '- type: tabulated nk'"
 LEAST_COEFFICIENTS = {8: 4, 9: 6}
 MOST_COEFFICIENTS = 40
 LONGEST_REFERENCE = 2000
+AGREE = 0.01
+"""Within which two entries of n, or of k, are one."""
 
 
 def is_database(text):
-    """Whether the name ends with .yml or .yaml, or a line reads DATA:"""
-    return text.suffix in {".yml", ".yaml"} or any(line.rstrip() == "DATA:" for line in text.lines)
+    """Whether the name ends with .yml or .yaml, or a line reads DATA: but not what we wrote as CSV from such a file."""
+    ours = text.lines[0].startswith("wavelength_nm,")
+    return text.suffix in {".yml", ".yaml"} and not ours or any(line.rstrip() == "DATA:" for line in text.lines)
 
 
 def read_database(text):
@@ -50,9 +54,28 @@ def read_database(text):
             found += _tabulated(text, item, TABULATED[kind])
         elif formula:
             found.append(_formula(text, item, int(formula[1])))
+        elif kind in NONLINEAR:
+            text.refuse(line, "n2 tells how the index grows with very strong light: no reflectance follows",
+                        "a dataset of n and k")
         else:
             text.refuse(line, f"the type is {kind[:40]!r}", TYPES)
-    return constants(text, found, _references(text))
+    return constants(text, _each_quantity_once(text, found), _references(text), database=True)
+
+
+def _each_quantity_once(text, found):
+    """The first of two Points of one quantity that agree: a formula and the table that it was fitted to."""
+    first = {}
+    for points in found:
+        before = first.setdefault(points.role, points)
+        if before is not points:
+            w = before.wavelength_nm
+            w = w[(w >= points.wavelength_nm[0]) & (w <= points.wavelength_nm[-1])]
+            differ = np.abs(np.interp(w, before.wavelength_nm, before.values)
+                            - np.interp(w, points.wavelength_nm, points.values))
+            if not w.size or differ.max() > AGREE:
+                text.refuse(points.lines[0], f"{points.role} comes a second time", "each quantity once")
+            text.assume(f"{points.role} is there twice and agrees: the first is read")
+    return list(first.values())
 
 
 def _items(text):
@@ -125,7 +148,7 @@ def _tabulated(text, item, roles):
                         f"{1 + len(roles)}: wavelength, " + ", ".join(roles))
     table = np.array(rows)
     wavelength = in_nm(table[:, 0], "µm")
-    return [checked(text, Points(role, wavelength, values, np.array(lines)))
+    return [checked(text, Points(role, wavelength, values, np.array(lines)), noise=True)
             for role, values in zip(roles, table.T[1:])]
 
 

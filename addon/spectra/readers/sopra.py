@@ -1,19 +1,22 @@
-"""SOPRA's .nk files: a line with unit, low, high and number of intervals, then n and k by turns.
+"""SOPRA's files: .nk with unit, low, high and number of intervals, then n and k by turns; .MAT with a point a line.
 
-The units are 1 eV, 2 µm, 3 1/cm and 4 nm; the points are evenly spaced in them.
+The units of .nk are 1 eV, 2 µm, 3 1/cm and 4 nm; the points are evenly spaced in
+them.  In .MAT stars part "DATA1", a running number, the wavelength in nm, n and k.
 """
+
+import re
 
 import numpy as np
 
 from .points import Points, checked, constants
 from .text import NUMBER, number_of
+from .units import in_nm
 
-__all__ = ["is_sopra", "read_sopra"]
+__all__ = ["is_sopra", "read_sopra", "is_sopra_mat", "read_sopra_mat"]
 
-EV_NM = 1239.841984
-"""Planck's constant times the speed of light, eV nm (CODATA 2018)."""
-TO_NM = {1: lambda e: EV_NM / e, 2: lambda w: 1000.0 * w, 3: lambda v: 1e7 / v, 4: lambda w: w}
-"""By the unit's number: nm of energies in eV, wavelengths in µm, wave numbers in 1/cm, wavelengths in nm."""
+UNITS = {1: "eV", 2: "µm", 3: "1/cm", 4: "nm"}
+"""By the number in the head."""
+MAT_ROW = re.compile(r"\s*DATA\d*\s*\*", re.IGNORECASE)
 
 
 def is_sopra(text):
@@ -23,7 +26,7 @@ def is_sopra(text):
     if len(first) != 4 or not all(NUMBER.fullmatch(word) for word in first):
         return False
     follows = len(lines) < 2 or len(lines[1]) != 4 or text.suffix == ".nk"
-    return follows and float(first[0]) in TO_NM and float(first[3]).is_integer()
+    return follows and float(first[0]) in UNITS and float(first[3]).is_integer()
 
 
 def _words(line):
@@ -51,9 +54,35 @@ def read_sopra(text):
     if len(rest) != 2 * (intervals + 1):
         text.refuse(rest[-1][0] if rest else line, f"{len(rest)} numbers follow the head",
                     f"{2 * (intervals + 1):g}: n and k at both ends of {intervals:g} intervals")
-    wavelength = np.round(TO_NM[int(unit)](np.linspace(low, high, int(intervals) + 1)), 9)
+    wavelength = np.round(in_nm(np.linspace(low, high, int(intervals) + 1), UNITS[int(unit)]), 9)
     lines = np.array([number for number, _ in rest[::2]])
-    order = slice(None, None, -1 if wavelength[0] > wavelength[-1] else 1)
-    return constants(text, [
-        checked(text, Points(role, wavelength[order], column[order], lines[order]))
-        for role, column in (("n", values[::2]), ("k", values[1::2]))])
+    return constants(text, [checked(text, Points(role, wavelength, column, lines))
+                            for role, column in (("n", values[::2]), ("k", values[1::2]))])
+
+
+def is_sopra_mat(text):
+    """Whether a line begins as those of SOPRA's .MAT do."""
+    return any(MAT_ROW.match(line) for line in text.lines[:50])
+
+
+def read_sopra_mat(text):
+    """The OpticalConstants of a Text in SOPRA's .MAT.
+
+    Raises FacetFilmError with the line and what was expected there.
+
+    >>> from .text import Text
+    >>> read_sopra_mat(Text("X.MAT", "VERSION*1*\\nDATA1*1*4e2*1.5*0*\\nDATA1*2*7e2*1.4*0.1*\\nEOF*")).n.tolist()
+    [1.5, 1.4]
+    """
+    rows, lines = [], []
+    for number, line in enumerate(text.lines, 1):
+        if MAT_ROW.match(line):
+            cells = [cell.strip() for cell in line.strip().rstrip("*").split("*")]
+            if len(cells) != 5:
+                text.refuse(number, f"has {len(cells) - 1} numbers", "4: number, wavelength, n, k")
+            rows.append([number_of(text, number, cell, "a number") for cell in cells[2:]])
+            lines.append(number)
+    table = np.array(rows)
+    unit = "nm"
+    return constants(text, [checked(text, Points(role, in_nm(table[:, 0], unit), column, np.array(lines)))
+                            for role, column in (("n", table[:, 1]), ("k", table[:, 2]))])
