@@ -1,11 +1,13 @@
 """Absorption through a body as three numbers: σ for red, green and blue, fitted over the depths at which it is seen."""
 
+import functools
 from typing import NamedTuple
 
 import numpy as np
 
 from ..spectra import observers
 from .colour import delta_e_2000, lab
+from .gamut import map_colours
 
 __all__ = ["Attenuation", "alpha_of", "attenuation_of"]
 
@@ -18,7 +20,7 @@ NOTHING = 1e-9
 FARTHEST = 1e4
 """m: what lets half the light through from farther away is clear."""
 
-STEPS, ROUNDS = 30, 12
+STEPS, ROUNDS = 30, 40
 
 
 class Attenuation(NamedTuple):
@@ -44,7 +46,7 @@ def alpha_of(constants):
 
     >>> from addon.spectra.optical_constants import load
     >>> float(alpha_of(load("glass/soda-lime/Rubin-clear"))[190].round(1))
-    4.0
+    5.0
     """
     return 4.0 * np.pi * constants.at(observers.WAVELENGTH_NM)[1] / (observers.WAVELENGTH_NM * 1e-9)
 
@@ -55,14 +57,15 @@ def attenuation_of(alpha, viewing):
     alpha    ``(421,)`` in 1/m
     viewing  an addon.bake.reflected.Viewing
 
-    Colours are relative to the light that enters.  σ has the least largest CIEDE2000: least squares, with what is
+    Colours are relative to the light that enters, and brought into the gamut at constant dominant wavelength, which is
+    continuous over depths.  σ has the least largest CIEDE2000: least squares, with what is
     farthest off weighed up round by round (Lawson 1961).
     """
     if alpha.max() < NOTHING:
         return CLEAR
     def through(d):
         light = np.exp(-np.outer(d, alpha)) @ viewing.weights
-        return viewing.map(light / viewing.weights.sum(axis=0))[0]
+        return map_colours(light / viewing.weights.sum(axis=0), "desaturate", viewing.space)[0]
     half = _half(lambda d: through(np.array([d]))[0] @ (0.2126, 0.7152, 0.0722))
     if half > FARTHEST:
         return CLEAR
@@ -88,12 +91,16 @@ def _least_largest(difference, start):
     """(σ, largest difference) of the fit whose largest difference is least."""
     weights, at, best = np.full(len(DEPTHS), 1.0 / len(DEPTHS)), start, (np.inf, start)
     for _ in range(ROUNDS):
-        at = _least_squares(lambda x: np.sqrt(weights) * difference(x), at)
+        at = _least_squares(functools.partial(_weighted, difference, np.sqrt(weights)), at)
         errors = difference(at)
         best = min(best, (float(errors.max()), at), key=lambda pair: pair[0])
         weights = weights * (errors + 1e-6)
         weights /= weights.sum()
     return np.exp(best[1]), best[0]
+
+
+def _weighted(difference, weights, at):
+    return weights * difference(at)
 
 
 def _least_squares(residuals, at):

@@ -2,7 +2,8 @@
 
 import bpy
 
-__all__ = ["conductor_formula", "renderer", "working_space", "enable_nodes", "eevee_engine", "is_unused_newcomer", "set_refraction"]
+__all__ = ["conductor_formula", "renderer", "working_space", "enable_nodes", "eevee_engine", "is_unused_newcomer",
+           "set_refraction"]
 
 
 def conductor_formula():

@@ -1,11 +1,12 @@
-"""Light through clear bodies: a slab's inner reflections, absorption over a length, an index that depends on wavelength.
+"""Light through clear bodies: a slab's inner reflections, absorption over a length, dispersion.
 
 n is the index inside relative to that outside; lengths and absorption have inverse units.
 """
 
 from ..operands import exp, minimum, sqrt, term
 
-__all__ = ["LAMBDA_D", "cauchy", "cos_inside", "slab_reflectance", "slab_transmittance", "straight_path", "transmittance"]
+__all__ = ["LAMBDA_D", "cauchy", "cos_inside", "slab_reflectance", "slab_transmittance", "straight_path",
+           "transmittance"]
 
 LAMBDA_D = 0.5875618
 """The helium d line, in µm."""
@@ -76,7 +77,7 @@ def slab_reflectance(r, t):
 
 @term("n(λ)")
 def cauchy(wavelength, n_d, b, c):
-    """Index at a wavelength: n_d + b(x − x_d) + c(x² − x_d²), x = 1/λ².  Cauchy 1836, with n_d in place of its constant.
+    """Index at a wavelength: n_d + b(x − x_d) + c(x² − x_d²), x = 1/λ².  Cauchy 1836, n_d for its constant.
 
     wavelength in µm; b in µm², c in µm⁴
 

@@ -24,16 +24,16 @@ def checks(realisations):
     found = []
     for realisation in realisations:
         found += [
-            Check(MODEL, realisation, "furnace, solid", "a smooth ball that absorbs nothing in an even white world: it is "
-                  "not seen", solid_furnace, BODY),
-            Check(MODEL, realisation, "furnace, thin wall", "the same as one sheet", thin_furnace,
+            Check(MODEL, realisation, "furnace, solid", "a smooth ball that absorbs nothing in an even white world: "
+                  "it is not seen", furnace, BODY),
+            Check(MODEL, realisation, "furnace, thin wall", "the same as one sheet", furnace,
                   {**BODY, "walls": "thin"}),
-            Check(MODEL, realisation, "slab", "a slab over a lit floor against Fresnel and Beer–Lambert, at four depths",
-                  slab, {**BODY, "absorption": SIGMA}),
-            Check(MODEL, realisation, "thin wall at 60°", "transmittance of an absorbing sheet against the slab formula",
-                  thin_wall, {**BODY, "walls": "thin", "absorption": SIGMA, "thickness": 0.002}),
-            Check(MODEL, realisation, "see-through shadow", "the floor under a slab in the sun, against one way straight "
-                  "through", shadow, {**BODY, "absorption": SIGMA})]
+            Check(MODEL, realisation, "slab", "a slab over a lit floor against Fresnel and Beer–Lambert, at four "
+                  "depths", slab, {**BODY, "absorption": SIGMA}),
+            Check(MODEL, realisation, "thin wall at 60°", "transmittance of an absorbing sheet against the slab "
+                  "formula", thin_wall, {**BODY, "walls": "thin", "absorption": SIGMA, "thickness": 0.002}),
+            Check(MODEL, realisation, "see-through shadow", "the floor under a slab in the sun, against one way "
+                  "straight through", shadow, {**BODY, "absorption": SIGMA})]
     return found
 
 
@@ -46,24 +46,11 @@ def _scene(samples=256, extent=2.0, resolution=16):
     return scene
 
 
-def solid_furnace(realisation, rendered, parameters):
-    """Means over the picture, which holds noise where wavelengths are drawn."""
-    return _furnace(realisation, rendered, _ball)
-
-
-def thin_furnace(realisation, rendered, parameters):
-    """The same."""
-    return _furnace(realisation, rendered, _ball)
-
-
-def _ball(material):
-    scenes.add_sphere(material, segments=64)
-
-
-def _furnace(realisation, rendered, shape):
+def furnace(realisation, rendered, parameters):
+    """The mean over a picture of a ball, which holds noise where wavelengths are drawn."""
     scene = _scene(resolution=32)
     scenes.set_world(scene, 1.0)
-    shape(api.create_material(MODEL, realisation=realisation, **rendered))
+    scenes.add_sphere(api.create_material(MODEL, realisation=realisation, **rendered), segments=64)
     mean = scenes.render(scene).mean(axis=(0, 1))
     return Outcome((Figure("difference from 1", float(np.abs(mean - 1.0).max()), FURNACE[realisation], True),))
 

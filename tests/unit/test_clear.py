@@ -52,7 +52,7 @@ def test_what_is_estimated_says_from_what():
 
 
 def test_absorption_is_that_of_water_as_others_measured_it():
-    """Pope and Fry 1997 at 450, 550 and 650 nm, in 1/m; Segelstein's is higher in the blue, by 0.013 of next to nothing."""
+    """Pope and Fry 1997 at 450, 550 and 650 nm, in 1/m; Segelstein's is 0.013 higher in the blue."""
     alpha = alpha_of(load("main/H2O/Segelstein"))[[90, 190, 290]]
     assert np.allclose(alpha, (0.0092, 0.0565, 0.340), rtol=0.06, atol=0.014)
     found = attenuation_of(alpha_of(load("main/H2O/Segelstein")), Viewing())

@@ -1,4 +1,4 @@
-"""Which wavelength stands for which random number, and what colour it has: non-negative bands of red, green and blue."""
+"""Which wavelength stands for which random number, and its colour: non-negative bands of red, green and blue."""
 
 import functools
 
@@ -43,7 +43,7 @@ def wavelength_of_channel(u, channel):
     """λ in µm of one channel's band, drawn as densely as it responds.
 
     >>> [round(float(wavelength_of_channel(0.5, channel)), 2) for channel in range(3)]
-    [0.6, 0.54, 0.45]
+    [0.61, 0.54, 0.45]
     """
     return lookup(u, KNOTS, _inverse(_tables()[0][:, channel], KNOTS))
 

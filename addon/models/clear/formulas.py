@@ -55,6 +55,11 @@ def evaluate(parameters, n, v, l):
 
     What passes through is no function of two directions at one place, and is not in it.  Of a polished surface it is 0
     everywhere: its mirror has no width.
+
+    >>> from .parameters import Clear
+    >>> up = np.array([0.0, 0.0, 1.0])
+    >>> evaluate(Clear(roughness=0.5), up, up, up).round(4).tolist()
+    [0.0509, 0.0509, 0.0509]
     """
     p, m = parameters, parameters.roughness**2
     cosines = dot(n, v), dot(n, l)
@@ -62,6 +67,6 @@ def evaluate(parameters, n, v, l):
         return np.zeros((*np.shape(cosines[0]), 3))
     n_v, n_l = (np.maximum(cosine, 1e-6) for cosine in cosines)
     h = normalize(v + l)
-    shape = beckmann(absolute(dot(n, h)), m) * smith_beckmann(n_v, n_l, m) / (4.0 * n_v * n_l)
+    shape = beckmann(absolute(dot(n, h)), m) * smith_beckmann(n_v, n_l, m) / (4.0 * np.pi * n_v * n_l)
     found = shape * dielectric(absolute(dot(v, h)), p.ior / p.outside)
     return np.where((np.minimum(*cosines) > 0.0)[..., None], found[..., None] * np.array(p.tint), 0.0)

@@ -12,7 +12,7 @@ TABLE = (
     Colour(name="depth_colour", socket="Depth Color", default=(1.0, 1.0, 1.0), low=0.0, high=1.0,
            tip="Colour that white light has after Depth; it comes on top of Absorption"),
     Number(name="depth", socket="Depth", default=0.01, low=1e-6, high=1e6, slider=(1e-6, 1000.0), unit="m",
-           tip="How thick the piece is, in metres, where it shows Depth Color: thinner ones are paler, thicker ones deeper"),
+           tip="How thick the piece is, in metres, where it shows Depth Color: thinner is paler, thicker is deeper"),
     Number(name="concentration", socket="Concentration", default=1.0, low=0.0, high=1e6, slider=(0.0, 100.0),
            tip="Factor on all absorption: below 1 weaker, above 1 stronger than the material is"),
     Triple(name="absorption", symbol="σ", socket="Absorption", default=(0.0, 0.0, 0.0), low=0.0, high=1e9,

@@ -51,7 +51,8 @@ def facts(resolved, baked):
 
 def _own(resolved):
     """The preset's parameters that are this model's: it may have moved to another since a file was saved."""
-    return {name: value for name, value in resolved.preset.parameters.items() if name in CookTorrance.__dataclass_fields__}
+    known = CookTorrance.__dataclass_fields__
+    return {name: value for name, value in resolved.preset.parameters.items() if name in known}
 
 
 def _fitted(resolved, viewing, realisation, renderer):
