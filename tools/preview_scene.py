@@ -11,7 +11,7 @@ SIZE = 96
 
 SAMPLES = 64
 BOUNCES = 4
-STRIPES = "Stripes"
+STRIPES, TILE = "Stripes", 1.6
 SKY = ((0.0, 0.05), (0.42, 0.10), (0.5, 0.16), (0.56, 0.54), (0.75, 0.68), (1.0, 0.40))
 """Radiance of the surroundings from straight below (0) to straight above (1): a dark floor, a bright horizon."""
 LIGHTS = (
@@ -44,7 +44,7 @@ def render(scene, ball, material, path):
 
 
 def _set_backdrop(scene, seen_through):
-    """Stripes behind the ball, seen only through it, where light passes through; and the bounces that it needs."""
+    """Tiles behind the ball, seen only through it, where light passes through; and the bounces that it needs."""
     scene.cycles.max_bounces = 16 if seen_through else BOUNCES
     stripes = bpy.data.objects.get(STRIPES)
     if stripes is None and seen_through:
@@ -56,11 +56,11 @@ def _set_backdrop(scene, seen_through):
 def _add_stripes(scene):
     """Light and dark tiles that shine, behind and below the ball."""
     mesh = bpy.data.meshes.new(STRIPES)
-    side, vertices, faces = 12, [], []
+    side, vertices, faces = 6, [], []
     for column in range(side):
         for row in range(side):
-            x, z = 0.8 * (column - 0.5 * side), 0.8 * (row - 0.5 * side)
-            vertices += [(x, 3.0, z), (x + 0.8, 3.0, z), (x + 0.8, 3.0, z + 0.8), (x, 3.0, z + 0.8)]
+            x, z = TILE * (column - 0.5 * side), TILE * (row - 0.5 * side)
+            vertices += [(x, 3.0, z), (x + TILE, 3.0, z), (x + TILE, 3.0, z + TILE), (x, 3.0, z + TILE)]
             faces.append(range(len(vertices) - 4, len(vertices)))
     mesh.from_pydata(vertices, [], [tuple(face) for face in faces])
     for radiance in (0.22, 0.8):

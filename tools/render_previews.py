@@ -43,7 +43,7 @@ def names():
 
 LOST_BITS = 1
 """Of eight a channel: no eye sees it, and the files shrink by a quarter."""
-CLEAR_LOST_BITS = 2
+CLEAR_LOST_BITS = 3
 """The same where light passes through, whose pictures are full of detail."""
 
 

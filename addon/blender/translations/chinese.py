@@ -497,8 +497,6 @@ TEXTS = {
         "染色",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
-    "Towards grey of the same luminance, until inside: the hue stays":
-        "朝相同亮度的灰色移动，直到进入色域：色相不变",
     "Update Materials":
         "更新材质",
     "Vector":

@@ -497,8 +497,6 @@ TEXTS = {
         "Tönung",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
-    "Towards grey of the same luminance, until inside: the hue stays":
-        "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: Der Farbton bleibt",
     "Update Materials":
         "Materialien aktualisieren",
     "Vector":
