@@ -10,7 +10,8 @@ class FacetFilmError(ValueError):
     """Input that cannot be used: one sentence naming the thing, its range and the way out.
 
     sentence  what is wrong, with {names} of the values that stand in it: what a translation is looked up by
-    values    those; a tuple is a choice of names, and `name` is what the thing is called in the interface
+    values    those; a tuple is a choice of names, `name` is what the thing is called in the interface, and an error
+              is the reason, said in the same language
     """
 
     def __init__(self, sentence, **values):
@@ -27,7 +28,8 @@ class FacetFilmError(ValueError):
         if not self.values:
             return translate(self.sentence)
         shown = {key: translate(value) if key == "name" else
-                 translate(" or ").join(map(repr, value)) if isinstance(value, tuple) else value
+                 translate(" or ").join(map(repr, value)) if isinstance(value, tuple) else
+                 value.said(translate) if isinstance(value, FacetFilmError) else value
                  for key, value in self.values.items()}
         return translate(self.sentence).format(**shown)
 

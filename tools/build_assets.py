@@ -2,8 +2,9 @@
 
     python tools/build_assets.py [--again]
 
-It holds every preset as a material that renders by Fast, every node group of the Add menu but those of OSL, whose
-compiled code belongs to one Blender version, and a Fresnel ramp; with the previews of addon/thumbnails
+It holds every preset as a material that renders by Fast, but those whose image and copy of a group no other
+shares, which would weigh 80 kB each and are baked where they are picked; every node group of the Add menu but those
+of OSL, whose compiled code belongs to one Blender version, and a Fresnel ramp; with the previews of addon/thumbnails
 (tools/render_previews.py), catalogues, tags, author and licence.  n and k are for the exact conductor Fresnel; in
 Blender 4.5, which evaluates another, the extension bakes again what is brought in.
 """
@@ -12,6 +13,7 @@ import argparse
 import sys
 import time
 import uuid
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -19,9 +21,10 @@ sys.path.insert(0, str(ROOT))
 
 from addon.catalogue import presets  # noqa: E402
 from addon.catalogue.kinds import KINDS  # noqa: E402
+from addon.models import named  # noqa: E402
 from tools import stamps  # noqa: E402
 
-__all__ = ["AUTHOR", "CATALOGUES", "FILE", "LICENCE", "build", "catalogue_text", "ensure"]
+__all__ = ["AUTHOR", "CATALOGUES", "FILE", "LICENCE", "build", "catalogue_text", "ensure", "held"]
 
 FOLDER = ROOT / "node_groups" / "assets"
 FILE = FOLDER / "facet_film_assets.blend"
@@ -67,6 +70,20 @@ def ensure(again=False):
     return True
 
 
+def held():
+    """The presets that the library holds."""
+    everything = presets.all_presets().values()
+    of_words = {preset.name: _words(preset) for preset in everything}
+    shared = Counter(of_words.values())
+    return [preset for preset in everything if of_words[preset.name] is None or shared[of_words[preset.name]] > 1]
+
+
+def _words(preset):
+    """What a preset is made of, where its group shows an image of it; else None."""
+    model = named(preset.model)
+    return preset.parameters.get(model.made_of) if model.picture else None
+
+
 def build(file):
     """Build the library into a file, and its catalogues beside it; how many assets it has."""
     import bpy
@@ -76,14 +93,14 @@ def build(file):
     from addon.models.making import made
     bpy.ops.wm.read_factory_settings(use_empty=True)
     assets = []
-    for number, preset in enumerate(presets.all_presets().values(), 1):
+    for number, preset in enumerate(held(), 1):
         record = made(preset=preset.name)
         material = materials.create(record)
         _as_asset(material, preset.name, preset.kind, _description(preset, record),
                   (CATALOGUES[preset.kind], preset.name, *preset.aliases))
         assets.append(material)
         if number % 50 == 0:
-            print(f"{number} of {len(presets.all_presets())} materials", flush=True)
+            print(f"{number} of {len(held())} materials", flush=True)
     for group in groups.all_groups():
         if group.in_menu and not group.osl:
             tree = groups.node_group(group.identifier)

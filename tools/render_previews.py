@@ -33,6 +33,8 @@ GROUP = "group "
 RAMP = "group fresnel_ramp"
 SHOWN_WITH = {"layered_rgb": {"thickness": 200.0}}
 """Parameters of a model whose own defaults show little of what its groups do."""
+SHOWN_BY = {"film_anodising": "anodised_titanium", "film_heat_tint": "heat_tinted_steel"}
+"""Groups whose output is a number in nm -> the preset that shows what it makes."""
 
 
 def names():
@@ -70,6 +72,8 @@ def _material(name):
     if name == RAMP:
         return _emitting(api.create_fresnel_ramp("copper"), "Color")
     identifier = name.removeprefix(GROUP)
+    if identifier in SHOWN_BY:
+        return api.create_material(preset=SHOWN_BY[identifier])
     model = model_of_group(identifier)
     realisation = model.realisation_of(identifier)
     if realisation is None:

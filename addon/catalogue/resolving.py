@@ -9,7 +9,7 @@ from ..spectra.optical_constants import OpticalConstants, dataset_of_address, lo
 from . import presets
 from .presets import Preset
 
-__all__ = ["Resolved", "require_measured", "resolve", "resolve_widely"]
+__all__ = ["Resolved", "layer", "require_measured", "resolve", "resolve_widely"]
 
 
 class Resolved(NamedTuple):
@@ -32,7 +32,8 @@ def resolve(what, choose=()):
     """The Resolved of whatever names a material.
 
     what    a preset's name, alias or title; a dataset's id "shelf/book/page", or the address of its page; the path of a
-            file, a table of several lines as text; OpticalConstants, or a Resolved
+            file, a table of several lines as text; a stack of layers such as "SiO2 0-1000 nm / Si";
+             OpticalConstants, or a Resolved
     choose  of a file that holds or can mean several things: which, as :func:`addon.spectra.readers.read_file` has it
 
     A preset's name is that preset, whatever file lies in the folder.  Raises FacetFilmError, with what comes nearest.
@@ -48,9 +49,12 @@ def resolve(what, choose=()):
         return Resolved(_unnamed(what), what)
     if not isinstance(what, str):
         raise FacetFilmError("A material is a preset's name or a dataset's id, not {value!r}.", value=what)
+    from ..bake.stack_notation import is_stack
     from ..spectra import readers
     if "\n" in what:
         return resolve(readers.read_text(what, choose=choose))
+    if is_stack(what):
+        return _of_stack(what)
     if what.lower().endswith(readers.SUFFIXES) and not _is_address(what):
         return resolve(readers.read_file(what, choose))
     try:
@@ -75,8 +79,9 @@ def resolve_widely(what):
     try:
         return resolve(what)
     except FacetFilmError:
+        from ..bake.stack_notation import is_stack
         from .search import search
-        worded = isinstance(what, str) and what.count("/") < 2
+        worded = isinstance(what, str) and what.count("/") < 2 and not is_stack(what)
         found = [entry for entry in search(what, 20) if entry.dataset] if worded else ()
         if not found:
             raise
@@ -112,6 +117,20 @@ def _named(word):
         raise FacetFilmError("preset {preset!r} is unknown; what fits these words: {found}.",
                              preset=word, found=some) from None
     return Resolved(preset, presets.constants(preset))
+
+
+def _of_stack(text):
+    """What the models have that is made of a stack of layers in words, checked; see addon.bake.stack_notation."""
+    from .. import models
+    from ..bake.stack_notation import parse, written
+    text = written(parse(text, layer))
+    model = next(model for model in models.all_models() if model.made_of == "stack")
+    return Resolved(Preset(text, text, "iridescent", model.name, parameters={model.made_of: text}), None)
+
+
+def layer(word):
+    """The OpticalConstants of a layer of a stack: a dataset, a file or a measured preset; FacetFilmError for others."""
+    return require_measured(word).constants
 
 
 def _unnamed(constants):

@@ -35,12 +35,13 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
         choice("model", model, names())
     resolved = None if preset is None else resolve(preset)
     chosen = named(model or (resolved and resolved.preset.model) or DEFAULT)
+    resolved = _what_it_is_made_of(chosen, resolved, parameters)
     choice("realisation", realisation, chosen.realisations)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
         return _with_group(Record(chosen.name, realisation, "", 0, checked), chosen)
     _require_of(chosen, resolved)
-    options = _viewing(resolved, renderer, viewing)
+    options = _viewing(chosen, resolved, renderer, viewing)
     baked = chosen.bake(resolved, options, realisation, renderer)
     checked = chosen.parameters().changed(**baked.parameters).changed(**parameters)
     record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts)
@@ -77,7 +78,7 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
         raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
     model = named(record.model)
     resolved = resolve(record.source.meant())
-    options = _viewing(resolved, renderer, record.viewing if viewing is None else viewing)
+    options = _viewing(model, resolved, renderer, record.viewing if viewing is None else viewing)
     baked = model.bake(resolved, options, record.realisation, renderer)
     new = {name: baked.parameters[name] for name in only or model.baked_names}
     found = record.changed(parameters=record.parameters.changed(**new), viewing=options, baked=baked.facts)
@@ -121,9 +122,26 @@ def _require_of(model, resolved):
                              model=model.title)
 
 
-def _viewing(resolved, renderer, viewing):
+def _what_it_is_made_of(model, resolved, parameters):
+    """The Resolved; that of the words in the parameter that says what the material is made of, taken from among them.
+
+    Raises FacetFilmError for two answers.
+    """
+    if not model.made_of:
+        return resolved
+    words = parameters.pop(model.made_of, None)
+    if resolved is None:
+        checked = model.parameters() if words is None else model.parameters(**{model.made_of: words})
+        return resolve(getattr(checked, model.made_of))
+    if words is not None:
+        raise FacetFilmError("A preset and {name} both say what the material is made of: give one of them.",
+                             name=model.made_of)
+    return resolved
+
+
+def _viewing(model, resolved, renderer, viewing):
     """All options of a bake, the file's working space where none is named; {} where nothing is measured."""
-    if resolved.constants is None:
+    if resolved.constants is None and not model.picture:
         return {}
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})

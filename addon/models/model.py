@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from .parameters import Checked, read, sockets_of, written
 
-__all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Renderer"]
+__all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Picture", "Renderer"]
 
 
 class Renderer(NamedTuple):
@@ -34,6 +34,8 @@ class Group:
     stand_in    id of the group that EEVEE shows in its place, or ""
     osl         whether its code is compiled by the Blender that it is built in
     in_menu     whether the Add menu offers it
+    pictured    whether its Image Texture nodes show the Picture of a material: a group takes no image through a socket,
+                so the file has a copy of the group for each
     """
 
     identifier: str
@@ -44,6 +46,7 @@ class Group:
     stand_in: str = ""
     osl: bool = False
     in_menu: bool = True
+    pictured: bool = False
 
 
 class Feed(NamedTuple):
@@ -57,6 +60,20 @@ class Feed(NamedTuple):
     group: str
     values: Mapping
     links: Mapping
+
+
+class Picture(NamedTuple):
+    """An image that a material's group looks its colours up in.
+
+    name  what the image is called
+    key   a text that no other image has: a file holds one image for each
+    make  function() -> (pixels ``(rows, columns, 4)``, {name: text} that model.read() finds again, {socket: value}
+          that the look-up needs)
+    """
+
+    name: str
+    key: str
+    make: Callable
 
 
 class Baked(NamedTuple):
@@ -122,6 +139,8 @@ class Model:
     principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
     measured      whether a measurement that is no preset can become a material of it
     refracts     whether light passes through its materials, which EEVEE has to be told
+    made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
+    picture       function(parameters, viewing options) -> the Picture of its pictured groups
     """
 
     package: str
@@ -144,6 +163,8 @@ class Model:
     principled: Callable | None = None
     measured: bool = False
     refracts: bool = False
+    made_of: str = ""
+    picture: Callable | None = None
 
     @property
     def name(self):

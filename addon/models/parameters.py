@@ -9,9 +9,9 @@ import dataclasses
 import math
 from types import SimpleNamespace
 
-from ..errors import choice, number, numbers_of
+from ..errors import FacetFilmError, choice, number, numbers_of
 
-__all__ = ["Socket", "Parameter", "Number", "Triple", "Colour", "Choice", "Slider", "Direction", "Checked",
+__all__ = ["Socket", "Parameter", "Number", "Triple", "Colour", "Choice", "Slider", "Direction", "Text", "Checked",
            "checked_class", "add_inputs", "sockets_of", "written", "read"]
 
 
@@ -96,6 +96,10 @@ class Parameter:
         return (Socket(self.socket, self.key or self.name, self.kind, self.default, self.tip,
                        None if low == -math.inf else low, None if high == math.inf else high,
                        unit, self.subtype, self.panel, self.plugged, self.never_zero),)
+
+    def read_from(self):
+        """Names of the values that it is read from: its sockets'."""
+        return tuple(socket.name for socket in self.sockets())
 
     def checked(self, value):
         """The value as the row keeps it.  Raises FacetFilmError naming the parameter and its range."""
@@ -208,6 +212,24 @@ class Direction(Parameter):
     plugged = True
 
 
+class Text(Parameter):
+    """A text, which no socket holds: what the material's Picture is made of."""
+
+    def read_from(self):
+        """A value of its own name."""
+        return (self.name,)
+
+    def checked(self, value):
+        """A text that is not empty."""
+        if not isinstance(value, str) or not value.strip():
+            raise FacetFilmError("{name} must be a text, not {value!r}.", name=self.name, value=value)
+        return value.strip()
+
+    def read(self, values):
+        """The text."""
+        return values[self.name]
+
+
 class Checked:
     """What every class of checked parameters shares; the rows are in TABLE."""
 
@@ -280,4 +302,4 @@ def written(parameters, group=""):
 def read(table, values, group=""):
     """{parameter's name: value} of the rows whose sockets are all among the values, ``{name: value}``."""
     return {row.name: row.read(values) for row in table if row.is_value and row.group == group
-            and row.sockets() and all(socket.name in values for socket in row.sockets())}
+            and row.read_from() and all(name in values for name in row.read_from())}

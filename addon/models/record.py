@@ -9,7 +9,7 @@ from typing import Any
 from . import named
 from .parameters import Checked
 
-__all__ = ["FORMAT", "Record", "Source", "baked_in", "from_dict", "from_json"]
+__all__ = ["FORMAT", "Record", "Source", "baked_in", "is_measured", "from_dict", "from_json"]
 
 FORMAT = 2
 """Of the JSON; 1 is what 0.1.0 kept, a bare bake without parameters."""
@@ -68,8 +68,8 @@ class Record:
 
     @property
     def measured(self) -> bool:
-        """Whether a measurement was baked into it."""
-        return bool(self.viewing)
+        """Whether a spectrum was baked into it."""
+        return is_measured(self.baked)
 
     def changed(self, **fields: Any) -> "Record":
         """The same with other fields."""
@@ -85,6 +85,11 @@ class Record:
     def to_json(self) -> str:
         """The same as JSON text."""
         return json.dumps(self.to_dict(), ensure_ascii=False)
+
+
+def is_measured(baked: Mapping[str, Any]) -> bool:
+    """Whether a spectrum was baked: then what was baked names the light."""
+    return "illuminant" in baked
 
 
 def from_json(text: str, current: Record) -> Record:
@@ -137,7 +142,7 @@ def _of_0_1_0(held, current):
     if "conductor" not in held:
         return current.changed(source=Source(held["name"]), baked=baked)
     viewing = {option: held[option] for option in ("illuminant", "observer", "space")}
-    viewing.update(adapt=held["adapted"], gamut=held["gamut"]["method"])
+    viewing.update(adapt=held["adapted"], gamut=held["gamut"]["method"], medium=held.get("medium", 1.0))
     name = held["source"]["dataset"] if "own_data" in held else held["name"]
     return current.changed(source=Source(name, held.get("own_data", "")), viewing=viewing, baked=baked)
 

@@ -64,8 +64,15 @@ def _form(options, resolved):
 
 
 def _unmeasured(options, resolved):
-    """The parameters of a preset that was not measured."""
-    from ..models.making import made
+    """What was baked of a preset that is more than one measurement; the parameters of one that was not measured."""
+    from ..models import named
+    from ..models.making import exported, made
+    if resolved.preset.model and named(resolved.preset.model).picture:
+        record = made(preset=resolved, viewing=_given(options, *VIEWING))
+        form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
+        if form:
+            return exported(record, form).rstrip()
+        return _json(record.baked) if options.json else shown.record(record)
     if options.csv or options.spectrum_csv or options.materialx:
         raise FacetFilmError("{preset} was not measured: it has parameters and no curve. Leave the form out, or take "
                              "--json.", preset=resolved.preset.title)

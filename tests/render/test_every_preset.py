@@ -22,6 +22,7 @@ PIXELS = 3
 MOST = 20.0
 """Radiance that no tile exceeds in a sky of 1 and a sun of irradiance 0.2, at energy scale."""
 
+WAYS = [(model.name, realisation) for model in models.all_models() for realisation in model.realisations]
 NAMES = {model: [name for name, preset in presets.all_presets().items() if preset.model == model]
          for model in models.names()}
 
@@ -54,7 +55,7 @@ def faults(pixels, names, most=MOST):
     return found
 
 
-@pytest.mark.parametrize("model, realisation", [(m.name, r) for m in models.all_models() for r in m.realisations])
+@pytest.mark.parametrize("model, realisation", WAYS)
 def test_every_preset_renders(model, realisation):
     names = NAMES[model]
     pixels = tiles(lambda i: api.create_material(model, preset=names[i], realisation=realisation), len(names),
@@ -88,6 +89,10 @@ EXTREMES = {
         "wavelengths": [(1.0,) * 3, (1e4,) * 3], "exponent_r": [0.0, 1e5], "exponent_t": [0.0, 1e5],
         "deviation": [0.0, 1e-6, 1.57], "azimuth": [-1e6, 0.0, 1e6], "specular": [0.0, 1.0], "diffuse": [0.0, 1.0],
         "scale": ["energy", "published"], "sampling_width": [0.0, 0.01, 0.9]},
+    "film": {
+        "thickness": [0.0, 1.0, 2e4], "roughness": [0.0, 1e-3, 1.0], "specular": [0.0, 1.0], "see_through": [0.0, 1.0],
+        "diffuse": [(0.0,) * 3, (1.0,) * 3], "sampling_width": [0.0, 0.01, 1.0],
+        "stack": ["TiO2 0-200 nm / Ti", "SiO2 300 nm / Si", "1.4 0-0 nm / glass"]},
 }
 COUNT = 80
 
@@ -99,7 +104,7 @@ def extreme(model, number):
             for name, values in EXTREMES[model].items()}
 
 
-@pytest.mark.parametrize("model, realisation", [(m, r) for m in EXTREMES for r in models.named(m).realisations])
+@pytest.mark.parametrize("model, realisation", WAYS)
 def test_extremes_render_finite_pixels(model, realisation):
     pixels = tiles(lambda i: api.create_material(model, realisation=realisation, **extreme(model, i)), COUNT,
                    realisation.startswith("osl"))

@@ -60,7 +60,7 @@ def test_search_finds_presets_and_datasets(objects):
     assert picker.search("gold babar")[:2] == [("gold", "Gold"), ("main/Au/Babar", picker.search("gold babar")[1][1])]
     settings().preset = "main/Au/Babar · Gold"
     assert settings().preset == "main/Au/Babar"
-    assert picker.search("soap") == [("soap_film", "Soap film")]
+    assert ("soap_film", "Soap film") in picker.search("soap")
 
 
 def kept_by_blender(line, typed):

@@ -12,6 +12,7 @@ from ..datablocks.fingerprints import ID_KEY
 from ..datablocks.groups import VERSION_KEY, group_of, node_group
 from ..datablocks.locked import is_editable
 from ..datablocks.materials import baked_of, our_node, record_of, write
+from ..datablocks.pictures import image_in
 
 __all__ = ["attach", "detach"]
 
@@ -20,12 +21,13 @@ __all__ = ["attach", "detach"]
 def _after_import(imported, *_):
     arrived = [item.id for item in imported.import_items if item.id is not None]
     materials = [one for one in arrived if isinstance(one, bpy.types.Material) and _is_for_another_blender(one)]
-    trees = {one.get(ID_KEY) for one in arrived if isinstance(one, bpy.types.NodeTree) and _is_current(one)}
+    trees = {(one.get(ID_KEY), image_in(one)) for one in arrived
+             if isinstance(one, bpy.types.NodeTree) and _is_current(one)}
     for material in materials:
         _renew(material)
-    for identifier in trees:
+    for identifier, image in trees:
         if sum(one.get(ID_KEY) == identifier for one in bpy.data.node_groups) > 1:
-            node_group(identifier)
+            node_group(identifier, image)
 
 
 def _is_for_another_blender(material):

@@ -18,8 +18,9 @@ SETTINGS = {
     "ShaderNodeBump": ("invert",), "ShaderNodeMixShader": (), "ShaderNodeAddShader": (), "ShaderNodeBsdfDiffuse": (),
     "ShaderNodeSeparateXYZ": (), "ShaderNodeCombineXYZ": (), "ShaderNodeNewGeometry": (), "ShaderNodeTexCoord": (),
     "ShaderNodeBsdfGlass": ("distribution",), "ShaderNodeBsdfRefraction": ("distribution",),
-    "ShaderNodeBsdfTransparent": (), "ShaderNodeLightPath": (), "ShaderNodeFloatCurve": (),
+    "ShaderNodeLightPath": (), "ShaderNodeFloatCurve": (),
     "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
+    "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
 }
 """Settings of nodes that decide what they compute, by type of node; a test says which a group of ours lacks here."""

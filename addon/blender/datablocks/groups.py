@@ -7,6 +7,7 @@ import bpy
 
 from ... import models
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
+from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
            "input_names", "library_file", "mark", "model_of_group", "node_group", "socket_named"]
@@ -47,22 +48,29 @@ def model_of_group(identifier):
     return _owners()[identifier][0] if identifier in _owners() else None
 
 
-def node_group(identifier):
+def node_group(identifier, image=None):
     """The group with this id in the current version, brought in where the file has none as we made it.
+
+    image  that a pictured group shows; by default that of its model's default parameters
 
     A group that a user has edited is left alone and not reused.
     """
     model, group = _owners()[identifier]
+    if group.pictured:
+        image = image or image_of(model.picture(model.parameters(), {}))
     same = [tree for tree in bpy.data.node_groups
             if tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == group.version
-            and not tree.library and not edited(tree)]
+            and not tree.library and not edited(tree)
+            and (not group.pictured or key_of(image_in(tree)) == key_of(image))]
     if same:
-        return _merged(same, group)
+        return _merged(same, group, image)
     tree = _from_library(group) or build_group(identifier)
     if FINGERPRINT_KEY not in tree:
         if group.stand_in:
-            _add_eevee_output(tree, node_group(group.stand_in))
+            _add_eevee_output(tree, node_group(group.stand_in, image))
         mark(tree, group)
+    if group.pictured:
+        put_image(tree, image)
     return tree
 
 
@@ -73,14 +81,14 @@ def mark(tree, group):
     tree[FINGERPRINT_KEY] = fingerprint(tree)
 
 
-def _merged(trees, group):
+def _merged(trees, group, image):
     """The first of equal groups, in the place of the others: what was dragged or pasted in brings its own."""
     first, *others = trees
     for tree in others:
         tree.user_remap(first)
         bpy.data.node_groups.remove(tree)
     if others and group.stand_in:
-        node_group(group.stand_in)  # the others brought one of that, too
+        node_group(group.stand_in, image)  # the others brought one of that, too
     return first
 
 

@@ -19,12 +19,13 @@ from .groups import (
     output_named,
     socket_named,
 )
+from .pictures import image_in, image_of, key_of, sockets_of_image, values_of_image
 
 if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits for what is imported here
     from ...models.record import Record
 
-__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "model_of", "our_node", "parameters_of",
-           "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
+__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "is_measured", "model_of", "our_node",
+           "parameters_of", "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
 
 RECORD_KEY = "facet_film"
 NODE_WIDTH = 240
@@ -72,16 +73,22 @@ def write(material: bpy.types.Material, record: Record) -> None:
 def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -> None:
     """Make one of our group nodes what the record says: its group, its values, and the nodes that feed it."""
     model, there = model_of_group(record.group), _feeding(node)
-    if not _keeps(node.node_tree, model.group(record.group)):
-        _set_group(tree, node, node_group(record.group))
-    for name, value in model.written(record.parameters, record.realisation).items():
+    group = model.group(record.group)
+    image = image_of(model.picture(record.parameters, record.viewing)) if group.pictured else None
+    if not _keeps(node.node_tree, group, image):
+        _set_group(tree, node, node_group(record.group, image))
+    values = {**model.written(record.parameters, record.realisation), **sockets_of_image(image_in(node.node_tree))}
+    for name, value in values.items():
         socket_named(node, name).default_value = value
     _write_feeds(tree, node, there, model.feeds(record.parameters))
 
 
-def _keeps(tree, group):
+def _keeps(tree, group, image):
     """Whether a node that has this tree needs no other for a group: it is the current one, or someone edited it."""
-    return group_id(tree) == group.identifier and (tree.get(VERSION_KEY) == group.version or edited(tree))
+    if group_id(tree) != group.identifier:
+        return False
+    current = tree.get(VERSION_KEY) == group.version and key_of(image_in(tree)) == key_of(image)
+    return current or edited(tree)
 
 
 def _show_in_viewport(material, record):
@@ -157,8 +164,8 @@ def record_of_node(node: bpy.types.Node) -> Record:
     feeds = {name: (_values(feed), {link.from_socket.name for link in node.id_data.links
                                     if link.from_node == feed and link.to_node == node})
              for name, feed in _feeding(node).items()}
-    return Record(model.name, realisation, identifier, node.node_tree.get(VERSION_KEY, 0),
-                  model.read(_values(node), feeds))
+    values = {**_values(node), **values_of_image(image_in(node.node_tree))}
+    return Record(model.name, realisation, identifier, node.node_tree.get(VERSION_KEY, 0), model.read(values, feeds))
 
 
 def _values(node):
@@ -181,6 +188,11 @@ def baked_of(material):
         return {}
     from ...models.record import baked_in
     return baked_in(material.get(RECORD_KEY, ""))
+
+
+def is_measured(material):
+    """Whether a spectrum was baked into a material."""
+    return "illuminant" in baked_of(material)
 
 
 def our_node(material):

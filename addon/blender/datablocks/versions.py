@@ -6,6 +6,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from .fingerprints import ID_KEY
 from .groups import VERSION_KEY, edited, group_of, node_group
 from .materials import exchange_group
+from .pictures import image_in
 
 __all__ = ["Outdated", "outdated_groups", "update"]
 
@@ -62,7 +63,7 @@ def update():
 
 def _replace(group):
     """Exchange one group wherever a node of the file has it."""
-    current, count = node_group(group.identifier), 0
+    current, count = node_group(group.identifier, image_in(group.tree)), 0
     for tree in _trees():
         for node in tree.nodes:
             if node.bl_idname == "ShaderNodeGroup" and node.node_tree == group.tree:

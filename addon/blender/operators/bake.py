@@ -5,7 +5,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
 from ..datablocks.locked import why_locked
-from ..datablocks.materials import baked_of
+from ..datablocks.materials import is_measured
 from ..settings import Viewing, preset_property, realisation_property, viewing_of
 from .targets import OnActiveObject, active_material, put_on_selected, said_of, target_material
 
@@ -52,7 +52,7 @@ class FACET_FILM_OT_rebake(Viewing, bpy.types.Operator):
         """Needs a material of this file with a measurement."""
         material = active_material(context)
         reason = why_locked(material) if material else ""
-        if material is None or "conductor" not in baked_of(material):
+        if material is None or not is_measured(material):
             reason = rpt_("Bake a measured material first: there is nothing to bake again")
         if reason:
             cls.poll_message_set(reason)

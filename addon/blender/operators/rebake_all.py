@@ -6,7 +6,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from .. import compat
 from ..datablocks.locked import is_editable
-from ..datablocks.materials import baked_of, our_node, record_of, write
+from ..datablocks.materials import is_measured, our_node, record_of, write
 from ..settings import viewing_of
 
 __all__ = ["CLASSES"]
@@ -95,7 +95,7 @@ and then nothing is changed"""
 def measured_materials():
     """The materials of this file that hold a measurement and may be changed."""
     for material in bpy.data.materials:
-        if is_editable(material) and "conductor" in baked_of(material) and our_node(material) is not None:
+        if is_editable(material) and is_measured(material) and our_node(material) is not None:
             yield material
 
 

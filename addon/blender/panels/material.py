@@ -5,7 +5,7 @@ from bpy.app.translations import pgettext_iface as iface_
 
 from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
-from ..datablocks.materials import baked_of, model_of, our_node, realisation_of
+from ..datablocks.materials import is_measured, model_of, our_node, realisation_of
 from ..operators.realisation import shown_name, what_is_missing
 from ..operators.targets import active_material
 from ..operators.user_presets import draw_header
@@ -74,7 +74,7 @@ def draw_state(layout, context, material):
     row = layout.row(align=True)
     row.operator_menu_enum("facet_film.switch_realisation", "realisation",
                            text=iface_("Renders by {:s}").format(shown_name(realisation)))
-    if "conductor" in baked_of(material):
+    if is_measured(material):
         copy_viewing(context.window_manager.facet_film, row.operator("facet_film.rebake", icon="FILE_REFRESH"))
 
 

@@ -21,12 +21,22 @@ TEXTS = {
         "材质须为预设名称或数据集标识，而不是 {value!r}。",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "理想反射体在任何光下都呈中性，如同已适应该光的眼睛",
+    "A preset and {name} both say what the material is made of: give one of them.":
+        "预设和 {name} 都说明了材质的组成：请只给出其中一个。",
     "A preset is called by its name, such as 'copper', not {value!r}.":
         "预设以名称指定，例如 'copper'，而不是 {value!r}。",
     "A preset, or a dataset of the database":
         "预设，或数据库中的数据集",
     "A second Blender could not be started: {why}":
         "无法启动第二个 Blender：{why}",
+    "A stack has at most {most} films; this one has {count}.":
+        "层堆最多有 {most} 层薄膜；此层堆有 {count} 层。",
+    "A stack is a text such as 'SiO2 0-1000 nm / Si', from the outside in, not {value!r}.":
+        "层堆是形如 'SiO2 0-1000 nm / Si' 的文本，由外向内书写，而不是 {value!r}。",
+    "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
+        "{films} 层薄膜的层堆有 {indices} 个折射率：外部、各薄膜和基底；给出了 {given} 个。",
+    "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
+        "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
     "A verification is running":
         "验证正在运行",
     "Absorption":
@@ -57,6 +67,22 @@ TEXTS = {
         "资产库",
     "At 0°":
         "0° 处",
+    "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
+        "在 {place!r} 处：括号不成对；重复的薄膜写作 '(TiO2 58 nm / SiO2 94 nm)x8'。",
+    "At {place!r}: a film is named with its thickness, such as 'SiO2 100 nm', or with a range, 'SiO2 0-1000 nm'.":
+        "在 {place!r} 处：薄膜须带厚度，如 'SiO2 100 nm'，或带范围，如 'SiO2 0-1000 nm'。",
+    "At {place!r}: a layer is missing between two slashes or at an end.":
+        "在 {place!r} 处：两个斜杠之间或一端缺少一层。",
+    "At {place!r}: a thickness is from 0 nm on, the lower end of a range first.":
+        "在 {place!r} 处：厚度不小于 0 nm，范围的下限写在前面。",
+    "At {place!r}: films repeat 1 to {most} times, not {times}.":
+        "在 {place!r} 处：薄膜可重复 1 到 {most} 次，而不是 {times} 次。",
+    "At {place!r}: the last layer is what is below all films and has no thickness; name it after another ' / '.":
+        "在 {place!r} 处：最后一层是所有薄膜之下的材料，没有厚度；请在另一个 ' / ' 之后写明。",
+    "At {place!r}: what is outside stands before one bar, and there are more.":
+        "在 {place!r} 处：外部材料写在一条竖线之前，此处有多条竖线。",
+    "At {place!r}: {why}":
+        "在 {place!r} 处：{why}",
     "Azimuth":
         "方位角",
     "Bake Spectral Preset":
@@ -113,6 +139,8 @@ TEXTS = {
         "预设的镜面颜色随角度变化，可用于任意着色器",
     "Colour over angle: cos_theta, r, g, b":
         "颜色随角度变化：cos_theta, r, g, b",
+    "Columns":
+        "列",
     "Compare Measurements":
         "比较测量值",
     "Concentration":
@@ -159,6 +187,8 @@ TEXTS = {
         "色散",
     "Does this Blender render the published formulas? Find out on this machine:":
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
+    "Drained":
+        "排液",
     "Edge Tint":
         "边缘色调",
     "Every parameter":
@@ -197,6 +227,18 @@ TEXTS = {
         "要写入的文件",
     "File's Working Space":
         "文件的工作空间",
+    "Film Anodising":
+        "薄膜阳极氧化",
+    "Film Exact":
+        "薄膜 精确",
+    "Film Fast":
+        "薄膜 快速",
+    "Film Heat Tint":
+        "薄膜热着色",
+    "Film Thickness":
+        "薄膜厚度",
+    "First Thickness":
+        "起始厚度",
     "Fit":
         "拟合",
     "Form":
@@ -215,6 +257,8 @@ TEXTS = {
         "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
     "Glasses":
         "玻璃",
+    "Gradient":
+        "渐变",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
         "以原生闭包实现的 Granier 与 Heidrich 分层 RGB 模型，也可用于 EEVEE",
     "Greatest Thickness":
@@ -227,20 +271,28 @@ TEXTS = {
         "折射率",
     "Illuminant":
         "光源",
+    "Image Rows":
+        "图像行数",
     "Import Measurement":
         "导入测量数据",
     "In the Asset Browser as Facet & Film":
         "在资产浏览器中名为 Facet & Film",
     "Inside, unchanged":
         "在色域内，未改变",
+    "Iridescent":
+        "虹彩",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
     "Kind":
         "类别",
     "Large fields of view":
         "大视场",
+    "Last Thickness":
+        "末端厚度",
     "Layer Thickness":
         "层厚度",
+    "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
+        "层堆的第 {place} 层在每个波长处都需要 n 大于 0 且 k 不小于 0。",
     "Layered Films":
         "分层薄膜",
     "Layered RGB Exact":
@@ -305,6 +357,8 @@ TEXTS = {
         "观察者",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
         "当文件包含多项内容或有多种含义时：选择哪一项。含义明确时留空",
+    "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
+        "{word!r} 只有正入射反射率，而层堆需要 n 和 k；请选择另一个数据集。",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -370,7 +424,9 @@ TEXTS = {
     "Renders by {:s}":
         "渲染方式：{:s}",
     "Roughness":
-        "粗糙度",
+        "糙度",
+    "Rows":
+        "行",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "需在第二个 Blender 中运行，而作为 Python 模块的 Blender 没有：请运行 python -m addon verify",
     "Sampling Width":
@@ -385,6 +441,8 @@ TEXTS = {
         "场景比例",
     "Scene-linear space that the colours are written in":
         "写入颜色所用的场景线性空间",
+    "See-through":
+        "透视",
     "See-through Shadows":
         "透光阴影",
     "Select a group node of Facet & Film first":
@@ -411,6 +469,10 @@ TEXTS = {
         "小视场；显示器据此校准",
     "Specular":
         "镜面",
+    "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
+        "按每个微面的角度计算的薄膜堆叠，仅用节点采样，适用于所有设备",
+    "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
+        "以原生闭包实现的薄膜堆叠，每个通道一个波瓣：按光源采样，适用于所有设备",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
     "Sulphides":
@@ -421,6 +483,8 @@ TEXTS = {
         "将该库从资产浏览器移除；已拖入的内容保留",
     "Tangent":
         "切线",
+    "Temperature":
+        "温度",
     "Texture":
         "纹理",
     "Texture Share":
@@ -431,6 +495,9 @@ TEXTS = {
         "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
+    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
+    "make them thinner, or what is thick the layer below.":
+        "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
     "The formula of Cook and Torrance 1982 itself as an OSL script":
@@ -441,6 +508,8 @@ TEXTS = {
         "以 OSL 脚本表示的 Granier 与 Heidrich 2003 原公式",
     "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device":
         "Granier 与 Heidrich 2003 的原公式，仅用节点采样，适用于所有设备",
+    "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
+        "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
     "The library is in Preferences, File Paths already":
         "该库已在偏好设置的文件路径中",
     "The library is not in the preferences":
@@ -471,12 +540,24 @@ TEXTS = {
         "第二个 Blender 以状态 {:d} 结束：{:s}",
     "The shader {shader} does not compile: {why}":
         "着色器 {shader} 无法编译：{why}",
+    "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
+        "厚度须在层堆给定的 {low:g} 到 {high:g} nm 之间；现为 {given:g}。",
+    "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
+        "薄膜厚度不得小于 0 nm；第 {place} 层为 {thickness:g}。",
+    "The thickness of {word!r} must be from 0 nm on, the lower end of a range first; it is {low:g} to {high:g} nm.":
+        "{word!r} 的厚度不得小于 0 nm，且下限在前；现为 {low:g} 到 {high:g} nm。",
     "The verification was stopped; there is no report":
         "验证已停止；没有报告",
     "There is a preset called {:s} already":
         "已有名为 {:s} 的预设",
     "Thickness":
         "厚度",
+    "Thickness in nanometres of the oxide that a voltage grows on a metal":
+        "电压在金属上生成的氧化物的厚度（纳米）",
+    "Thickness in nanometres of the oxide that heat grows on a metal":
+        "加热在金属上生成的氧化物的厚度（纳米）",
+    "Thickness in nanometres that varies by noise, a gradient or a texture":
+        "随噪波、渐变或纹理变化的厚度（纳米）",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
     "Thin Walled":
@@ -493,6 +574,8 @@ TEXTS = {
         "此文件不是 Facet & Film 的预设。",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
+    "Time":
+        "时间",
     "Tint":
         "染色",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
@@ -511,6 +594,8 @@ TEXTS = {
         "正在验证 {:s}",
     "Verifying: starting a second Blender …":
         "正在验证：启动第二个 Blender …",
+    "Voltage":
+        "电压",
     "Wavelengths":
         "波长",
     "Weight 1":
@@ -521,6 +606,9 @@ TEXTS = {
         "权重 3",
     "Weight 4":
         "权重 4",
+    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
+    "air or water.":
+        "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
         "表面所处的介质：空气、折射率（如 1.33）或透明材质（如水）",
     "What to call it":
@@ -627,6 +715,11 @@ TEXTS = {
         "预设",
     "preset {preset!r} is unknown; what fits these words: {found}.":
         "未知预设 {preset!r}；与这些词相符的有：{found}。",
+    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
+        "stack 必须是由外向内的各层，例如 'SiO2 0-1000 nm / Si'，而不是 {value!r}。",
+    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
+        "thickness_range 必须是以 nm 为单位的（最小，最大），而不是 ({least:g}, "
+        "{greatest:g})。",
     "three-band fluorescent, 2980 K":
         "三基色荧光灯，2980 K",
     "three-band fluorescent, 3000 K":
@@ -707,6 +800,8 @@ TEXTS = {
         "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
+    "{name} must be a text, not {value!r}.":
+        "{name} 必须是文本，而不是 {value!r}。",
     "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
         "{name} {value!r} 不是颜色：线性数值最大为 {most}，255 以内的整数为 sRGB。",
     "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
@@ -721,4 +816,14 @@ TEXTS = {
         "{preset} 是 {model} 的预设：请省略模型，或指定该模型。",
     "{preset} was not measured: it is a preset of {model}, which has no spectrum to bake. Make a material of it, or name a measured preset such as 'copper'.":
         "{preset} 没有测量数据：它是 {model} 的预设，没有可烘焙的光谱。请用它创建材质，或指定一个测量预设，例如 'copper'。",
+    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; choose "
+    "another dataset.":
+        "{word!r} 的测量范围为 {low:g} 到 {high:g} nm，几乎不含可见光 400 到 700 "
+        "nm；请选择另一个数据集。",
+    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something clear, "
+    "such as air or water.":
+        "{word!r} 位于层堆外部，不得有吸收，但其 k 高达 {k:.2g}；请选择透明材料，如 air 或 water。",
+    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such "
+    "as 1.38.":
+        "未知的 {word!r}；您是指 {near} 吗？层可以是数据集、预设的材料，或如 1.38 的折射率。",
 }

@@ -21,12 +21,23 @@ TEXTS = {
         "Ein Material ist der Name einer Voreinstellung oder die Kennung eines Datensatzes, nicht {value!r}.",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "Ein vollkommener Reflektor ist in jedem Licht neutral, wie für ein daran gewöhntes Auge",
+    "A preset and {name} both say what the material is made of: give one of them.":
+        "Eine Voreinstellung und {name} sagen beide, woraus das Material ist: nur eines davon angeben.",
     "A preset is called by its name, such as 'copper', not {value!r}.":
         "Eine Voreinstellung heißt nach ihrem Namen, etwa 'copper', nicht {value!r}.",
     "A preset, or a dataset of the database":
         "Eine Voreinstellung oder ein Datensatz der Datenbank",
     "A second Blender could not be started: {why}":
         "Ein zweites Blender ließ sich nicht starten: {why}",
+    "A stack has at most {most} films; this one has {count}.":
+        "Ein Schichtstapel hat höchstens {most} Schichten; dieser hat {count}.",
+    "A stack is a text such as 'SiO2 0-1000 nm / Si', from the outside in, not {value!r}.":
+        "Ein Schichtstapel ist ein Text wie 'SiO2 0-1000 nm / Si', von außen nach innen, nicht {value!r}.",
+    "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
+        "Ein Stapel aus {films} Schichten hat {indices} Brechzahlen: außen, Schichten und Träger; gegeben "
+        "sind {given}.",
+    "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
+        "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
     "A verification is running":
         "Eine Prüfung läuft",
     "Absorption":
@@ -57,6 +68,24 @@ TEXTS = {
         "Asset-Bibliothek",
     "At 0°":
         "Bei 0°",
+    "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
+        "Bei {place!r}: Einer Klammer fehlt die andere; Wiederholtes schreibt man '(TiO2 58 nm / SiO2 94 nm)x8'.",
+    "At {place!r}: a film is named with its thickness, such as 'SiO2 100 nm', or with a range, 'SiO2 0-1000 nm'.":
+        "Bei {place!r}: Eine Schicht steht mit ihrer Dicke, etwa 'SiO2 100 nm', oder mit einem Bereich, "
+        "'SiO2 0-1000 nm'.",
+    "At {place!r}: a layer is missing between two slashes or at an end.":
+        "Bei {place!r}: Zwischen zwei Schrägstrichen oder an einem Ende fehlt eine Schicht.",
+    "At {place!r}: a thickness is from 0 nm on, the lower end of a range first.":
+        "Bei {place!r}: Eine Dicke ist mindestens 0 nm, das untere Ende eines Bereichs steht zuerst.",
+    "At {place!r}: films repeat 1 to {most} times, not {times}.":
+        "Bei {place!r}: Schichten wiederholen sich 1- bis {most}-mal, nicht {times}-mal.",
+    "At {place!r}: the last layer is what is below all films and has no thickness; name it after another ' / '.":
+        "Bei {place!r}: Als Letztes steht, was unter allen Schichten liegt, ohne Dicke; es folgt nach einem "
+        "weiteren ' / '.",
+    "At {place!r}: what is outside stands before one bar, and there are more.":
+        "Bei {place!r}: Was außen ist, steht vor einem senkrechten Strich, und hier sind mehrere.",
+    "At {place!r}: {why}":
+        "Bei {place!r}: {why}",
     "Azimuth":
         "Azimut",
     "Bake Spectral Preset":
@@ -113,6 +142,8 @@ TEXTS = {
         "Spiegelfarbe einer Voreinstellung über dem Winkel, für jeden Shader",
     "Colour over angle: cos_theta, r, g, b":
         "Farbe über dem Winkel: cos_theta, r, g, b",
+    "Columns":
+        "Spalten",
     "Compare Measurements":
         "Messungen vergleichen",
     "Concentration":
@@ -159,6 +190,8 @@ TEXTS = {
         "Mit Dispersion",
     "Does this Blender render the published formulas? Find out on this machine:":
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
+    "Drained":
+        "Abgelaufen",
     "Edge Tint":
         "Randtönung",
     "Every parameter":
@@ -197,6 +230,18 @@ TEXTS = {
         "Zu schreibende Datei",
     "File's Working Space":
         "Arbeitsfarbraum der Datei",
+    "Film Anodising":
+        "Film Anodisieren",
+    "Film Exact":
+        "Film Exakt",
+    "Film Fast":
+        "Film Schnell",
+    "Film Heat Tint":
+        "Film Anlauffarbe",
+    "Film Thickness":
+        "Filmdicke",
+    "First Thickness":
+        "Erste Dicke",
     "Fit":
         "Anpassung",
     "Form":
@@ -215,6 +260,8 @@ TEXTS = {
         "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
     "Glasses":
         "Gläser",
+    "Gradient":
+        "Verlauf",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
         "Das geschichtete RGB-Modell von Granier und Heidrich mit eingebauten Shadern, auch in EEVEE",
     "Greatest Thickness":
@@ -227,20 +274,28 @@ TEXTS = {
         "Brechzahl",
     "Illuminant":
         "Lichtart",
+    "Image Rows":
+        "Bildzeilen",
     "Import Measurement":
         "Messung importieren",
     "In the Asset Browser as Facet & Film":
         "Im Asset-Browser als Facet & Film",
     "Inside, unchanged":
         "Innerhalb, unverändert",
+    "Iridescent":
+        "Schillernd",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
     "Kind":
         "Art",
     "Large fields of view":
         "Große Sehfelder",
+    "Last Thickness":
+        "Letzte Dicke",
     "Layer Thickness":
         "Schichtdicke",
+    "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
+        "Lage {place} eines Stapels braucht bei jeder Wellenlänge n über 0 und k von mindestens 0.",
     "Layered Films":
         "Geschichtete Filme",
     "Layered RGB Exact":
@@ -305,6 +360,9 @@ TEXTS = {
         "Beobachter",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
         "Bei einer Datei, die mehreres enthält oder bedeuten kann: welches. Leer, wo die Bedeutung klar ist",
+    "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
+        "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; anderen "
+        "Datensatz wählen.",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -371,6 +429,8 @@ TEXTS = {
         "Rendert mit: {:s}",
     "Roughness":
         "Rauheit",
+    "Rows":
+        "Zeilen",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "Läuft in einem zweiten Blender, das Blender als Python-Modul fehlt: python -m addon verify aufrufen",
     "Sampling Width":
@@ -385,6 +445,8 @@ TEXTS = {
         "Maßstab der Szene",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
+    "See-through":
+        "Durchsichtig",
     "See-through Shadows":
         "Durchscheinende Schatten",
     "Select a group node of Facet & Film first":
@@ -411,6 +473,10 @@ TEXTS = {
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Specular":
         "Glanz",
+    "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
+        "Schichtstapel im Winkel jeder Facette, allein mit Nodes abgetastet, auf jedem Gerät",
+    "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
+        "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
     "Sulphides":
@@ -421,6 +487,8 @@ TEXTS = {
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
         "Tangente",
+    "Temperature":
+        "Temperatur",
     "Texture":
         "Textur",
     "Texture Share":
@@ -431,6 +499,10 @@ TEXTS = {
         "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
+    "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
+    "make them thinner, or what is thick the layer below.":
+        "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis {most:.0f} "
+        "gerechnet; dünner machen, oder das Dicke als unterste Lage nehmen.",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
     "The formula of Cook and Torrance 1982 itself as an OSL script":
@@ -441,6 +513,8 @@ TEXTS = {
         "Die Formel von Granier und Heidrich 2003 selbst als OSL-Skript",
     "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device":
         "Die Formel von Granier und Heidrich 2003 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
+    "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
+        "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
     "The library is in Preferences, File Paths already":
         "Die Bibliothek steht schon unter Einstellungen, Dateipfade",
     "The library is not in the preferences":
@@ -471,12 +545,24 @@ TEXTS = {
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
+        "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
+    "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
+        "Die Dicke einer Schicht muss mindestens 0 nm sein; die von Lage {place} ist {thickness:g}.",
+    "The thickness of {word!r} must be from 0 nm on, the lower end of a range first; it is {low:g} to {high:g} nm.":
+        "Die Dicke von {word!r} muss mindestens 0 nm sein, das untere Ende zuerst; sie ist {low:g} bis {high:g} nm.",
     "The verification was stopped; there is no report":
         "Die Prüfung wurde abgebrochen; es gibt keinen Bericht",
     "There is a preset called {:s} already":
         "Es gibt schon eine Voreinstellung namens {:s}",
     "Thickness":
         "Dicke",
+    "Thickness in nanometres of the oxide that a voltage grows on a metal":
+        "Dicke des Oxids in Nanometern, das eine Spannung auf einem Metall wachsen lässt",
+    "Thickness in nanometres of the oxide that heat grows on a metal":
+        "Dicke des Oxids in Nanometern, das Hitze auf einem Metall wachsen lässt",
+    "Thickness in nanometres that varies by noise, a gradient or a texture":
+        "Dicke in Nanometern, die durch Rauschen, einen Verlauf oder eine Textur wechselt",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
     "Thin Walled":
@@ -493,6 +579,8 @@ TEXTS = {
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
+    "Time":
+        "Zeit",
     "Tint":
         "Tönung",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
@@ -511,6 +599,8 @@ TEXTS = {
         "Prüfung: {:s}",
     "Verifying: starting a second Blender …":
         "Prüfung: startet ein zweites Blender …",
+    "Voltage":
+        "Spannung",
     "Wavelengths":
         "Wellenlängen",
     "Weight 1":
@@ -521,6 +611,10 @@ TEXTS = {
         "Gewicht 3",
     "Weight 4":
         "Gewicht 4",
+    "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
+    "air or water.":
+        "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas Klares "
+        "nennen, etwa Luft oder Wasser.",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
         "Worin die Oberfläche liegt: Luft, ein Index wie 1.33 oder ein klares Material wie Wasser",
     "What to call it":
@@ -627,6 +721,10 @@ TEXTS = {
         "Voreinstellung",
     "preset {preset!r} is unknown; what fits these words: {found}.":
         "Voreinstellung {preset!r} ist unbekannt; zu diesen Wörtern passt: {found}.",
+    "stack must be layers from the outside in, such as 'SiO2 0-1000 nm / Si', not {value!r}.":
+        "stack muss Schichten von außen nach innen nennen, etwa 'SiO2 0-1000 nm / Si', nicht {value!r}.",
+    "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
+        "thickness_range muss (kleinste, größte) Dicke in nm sein, nicht ({least:g}, {greatest:g}).",
     "three-band fluorescent, 2980 K":
         "Dreibanden-Leuchtstofflampe, 2980 K",
     "three-band fluorescent, 3000 K":
@@ -707,6 +805,8 @@ TEXTS = {
         "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
+    "{name} must be a text, not {value!r}.":
+        "{name} muss ein Text sein, nicht {value!r}.",
     "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":
         "{name} {value!r} ist keine Farbe: Lineare Zahlen gehen bis {most}, ganze bis 255 sind sRGB.",
     "{name} {value!r} is no colour; give three numbers, or one such as '#ffd98b'.":
@@ -721,4 +821,16 @@ TEXTS = {
         "{preset} ist eine Voreinstellung von {model}: das Modell weglassen oder jenes nennen.",
     "{preset} was not measured: it is a preset of {model}, which has no spectrum to bake. Make a material of it, or name a measured preset such as 'copper'.":
         "{preset} wurde nicht gemessen: es ist eine Voreinstellung von {model} und hat kein Spektrum zum Backen. Ein Material daraus machen oder eine gemessene Voreinstellung wie 'copper' nennen.",
+    "{word!r} is measured from {low:g} to {high:g} nm, so hardly in the visible, 400 to 700 nm; choose "
+    "another dataset.":
+        "{word!r} ist von {low:g} bis {high:g} nm gemessen, also kaum im Sichtbaren, 400 bis 700 nm; anderen "
+        "Datensatz wählen.",
+    "{word!r} is outside of the stack and must not absorb, but has k up to {k:.2g}; name something clear, "
+    "such as air or water.":
+        "{word!r} ist außerhalb des Stapels und darf nicht absorbieren, hat aber k bis {k:.2g}; etwas Klares "
+        "nennen, etwa air oder water.",
+    "{word!r} is unknown; did you mean {near}? A layer is of a dataset, a preset's material or an index such "
+    "as 1.38.":
+        "{word!r} ist unbekannt; war {near} gemeint? Eine Schicht ist ein Datensatz, das Material einer "
+        "Voreinstellung oder eine Brechzahl wie 1.38.",
 }

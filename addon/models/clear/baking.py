@@ -59,6 +59,7 @@ def facts_of(resolved, viewing, index, attenuation):
         "abbe": index.abbe,
         "attenuation": {"sigma_per_m": list(attenuation.sigma), "colour": list(attenuation.colour),
                         "distance_m": attenuation.distance, "delta_e_2000_max": attenuation.delta_e},
+        **viewing,
         "source": {"dataset": constants.dataset, "k_dataset": k.dataset if k else "", "citation": constants.citation,
                    "licence": constants.licence}}
 

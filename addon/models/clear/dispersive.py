@@ -18,6 +18,8 @@ __all__ = ["build"]
 STEEPNESS = 1e5
 """Turns of the random number over a radian: neighbouring samples of a pixel have nothing in common."""
 AXIS = (0.36, 0.80, 0.48)
+AGAIN = 1e-4
+"""Scene units within which a second hit of a face is the first one's."""
 CHANNEL, IN_BAND = 5, 6
 """The random numbers that a face draws after an inner reflection."""
 
@@ -32,9 +34,10 @@ def build(builder):
         entered, entered_colour = wavelength_of(u), colour_of(u)
     with builder.frame("λ after an inner reflection"):
         later, later_colour = _drawn_anew(builder)
-    lost = at.back - direct
+    lost, again = at.back - direct, _hit_again(builder, at)
     wavelength = where(lost, later, entered)
-    colour = where(at.back, where(direct, (1.0, 1.0, 1.0), later_colour), entered_colour)
+    colour = where(at.back, where(direct, (1.0, 1.0, 1.0), later_colour),
+                   where(again, (1.0, 1.0, 1.0), entered_colour))
     n = relative_index(cauchy(wavelength, sockets.ior, sockets.dispersion * sockets.cauchy_b,
                               sockets.dispersion * sockets.cauchy_c), sockets.outside)
     body = _faces(builder, sockets, at, n, colour)
@@ -45,6 +48,12 @@ def build(builder):
 def _came_straight(builder, at):
     """1.0 at a back face that is the first since the ray entered."""
     return at.back * builder.node("ShaderNodeLightPath", output="Is Transmission Ray")
+
+
+def _hit_again(builder, at):
+    """1.0 where a ray that entered hits the same face once more, beside an edge, which would colour it twice."""
+    passed = builder.node("ShaderNodeLightPath", output="Is Transmission Ray")
+    return passed * less(at.length, AGAIN)
 
 
 def _number(builder, at, direct):

@@ -1,0 +1,221 @@
+"""How far each realisation of a film is from F(V·H) at a slope: quadrature on a sphere and in an even surrounding.
+
+The sphere is seen from far away and lit by a sun of 5° at 30° or 75° from the
+viewer; pixels count where the lobe, if it were white, has more than 2 % of its
+peak.  D is Beckmann's and G Smith's everywhere: only F differs, as a
+realisation draws it.
+"""
+
+import functools
+from typing import NamedTuple
+
+import numpy as np
+
+from ..errors import number
+from ..reflectance.film_facets import tilted_lobes
+from ..reflectance.masking import smith_beckmann
+from ..reflectance.sampling import narrow_slope, wide_slope
+from ..reflectance.slopes import beckmann
+from .colour import delta_e_2000, lab
+from .film_table import curve_over_angle
+
+__all__ = ["RealisationErrors", "standard_errors", "reference_errors", "realisation_errors", "worst_of"]
+
+SUNS = (30.0, 75.0)
+SUN_DIAMETER = 5.0
+FURNACE_DEGREES = np.arange(0.0, 85.0, 12.0)
+SHOWN = 0.02
+LEAST_N_V = 0.1
+SAMPLING_WIDTH = 0.2
+"""Of the Reference where none is given, as Cook-Torrance Exact's."""
+VIEW = np.array([0.0, 0.0, 1.0])
+
+
+class RealisationErrors(NamedTuple):
+    """CIEDE2000 of a realisation from F(V·H).
+
+    sphere_mean, sphere_p99  over a sphere's pixels under either sun
+    furnace_mean, furnace_max  over directions from 0 to 84° in an even surrounding
+
+    >>> RealisationErrors(0.2, 0.4, 0.1, 0.3)._asdict()["sphere_p99"]
+    0.4
+    """
+
+    sphere_mean: float
+    sphere_p99: float
+    furnace_mean: float
+    furnace_max: float
+
+
+def standard_errors(table, m, thickness_nm):
+    """The :class:`RealisationErrors` of Standard, three tilted lobes of the table's colours.
+
+    table         a FilmTable
+    m             rms slope, above 0 and at most 1
+    thickness_nm  within the table's range
+    """
+    m = number("slope m", m, high=1.0, above=0.0)
+
+    def lobes(n, v):
+        return tilted_lobes(n, v, m, lambda c: table.at(c, thickness_nm))
+    return _errors(table, m, thickness_nm, lobes=lobes)
+
+
+def reference_errors(table, m, thickness_nm, width=SAMPLING_WIDTH):
+    """The :class:`RealisationErrors` of Reference, a facet drawn for each sample and the table at its V·H.
+
+    width  Sampling Width, [0, 1]: light reaches a drawn facet through a narrow
+           lobe, so F is a little blurred over slopes, by a²m²/(m² − a²) with a
+           of :func:`addon.reflectance.sampling.narrow_slope` and wide_slope
+
+    What remains once noise is gone; table and others as :func:`standard_errors`.
+    """
+    m = number("slope m", m, high=1.0, above=0.0)
+
+    def blurred(n, h, v):
+        return _blurred(lambda c: table.at(c, thickness_nm), n, h, v, m, number("sampling width", width, 0.0, 1.0))
+    return _errors(table, m, thickness_nm, blurred=blurred)
+
+
+def realisation_errors(table, m, count=5):
+    """{"standard": RealisationErrors, "reference": RealisationErrors} at a slope: the worst over even thicknesses.
+
+    count  thicknesses from end to end of the table's range; one where nothing varies
+    """
+    low, high = table.thickness_range_nm
+    thicknesses = np.linspace(low, high, count) if high > low else [low]
+    return {name: worst_of(errors(table, m, thickness) for thickness in thicknesses)
+            for name, errors in (("standard", standard_errors), ("reference", reference_errors))}
+
+
+def worst_of(errors):
+    """The largest of each number of several RealisationErrors, as for the thicknesses of a range."""
+    return RealisationErrors(*(float(x) for x in np.max(np.array(list(errors)), axis=0)))
+
+
+def _errors(table, m, thickness_nm, lobes=None, blurred=None):
+    film = _exact(table, thickness_nm)
+    space = table.viewing.space
+    spheres = [_difference(*_sphere(film, m, angle, lobes, blurred), space) for angle in SUNS]
+    furnace = _difference(*_furnace(film, m, lobes, blurred), space)
+    everywhere = np.concatenate(spheres)
+    return RealisationErrors(float(max(sphere.mean() for sphere in spheres)),
+                             float(np.percentile(everywhere, 99.0)), float(furnace.mean()), float(furnace.max()))
+
+
+def _difference(shown, exact, space):
+    return delta_e_2000(lab(exact, space), lab(shown, space))
+
+
+def _exact(table, thickness_nm):
+    """The exact F, mapped as the table is, as a function of cos θ."""
+    grid = np.linspace(0.0, 1.0, 129)
+    rgb = curve_over_angle(table.stack, table.viewing, float(thickness_nm), grid**2)
+    return lambda c: np.stack([np.interp(np.sqrt(c), grid, channel) for channel in rgb.T], axis=-1)
+
+
+def _sphere(film, m, degrees, lobes, blurred):
+    """(shown, exact) colours of the sphere's lit pixels, ``(P, 3)`` each, where white would be 1 at the peak."""
+    n = _sphere_normals()
+    white, exact, shown = 0.0, 0.0, 0.0
+    tilted = lobes(n, VIEW) if lobes else None
+    for light in _sun(np.radians(degrees)):
+        h = (light + VIEW) / np.linalg.norm(light + VIEW)
+        facets = _lobe(n, h, VIEW, light, m) * (n @ light > 0.0)
+        white = white + facets
+        exact = exact + facets[:, None] * film(h @ VIEW)
+        if lobes:
+            shown = shown + _tilted(tilted, h, VIEW, light, m) * (n @ light > 0.0)[:, None]
+        else:
+            shown = shown + facets[:, None] * blurred(n, h, VIEW)
+    lit = white > SHOWN * white.max()
+    return shown[lit] / white.max(), exact[lit] / white.max()
+
+
+def _furnace(film, m, lobes, blurred):
+    """(shown, exact) albedos over N·V, ``(F, 3)`` each: sums over half vectors, even in D cos α dω."""
+    n = np.array([0.0, 0.0, 1.0])
+    shown, exact = [], []
+    for angle in np.radians(FURNACE_DEGREES):
+        v = np.array([np.sin(angle), 0.0, np.cos(angle)])
+        h = _facets(m, n)
+        exact.append(np.sum(_carried(n, h, v, m, n)[:, None] * film(np.clip(h @ v, 0.0, 1.0)), axis=0) / len(h))
+        if lobes:
+            shown.append(sum(_carried(normal, _facets(m, normal), v, m, n).mean() * colour
+                             for colour, normal in lobes(n, v)))
+        else:
+            shown.append(np.sum(_carried(n, h, v, m, n)[:, None] * blurred(n, h, v), axis=0) / len(h))
+    return np.array(shown), np.array(exact)
+
+
+def _lobe(n, h, v, light, m):
+    """D G/(4 N·V) of a white lobe about n, 0 where it does not face the light."""
+    n_v, n_l = np.maximum(n @ v, 1e-3), n @ light
+    return np.where(n_l > 0.0, beckmann(n @ h, m) / np.pi * smith_beckmann(n_v, n_l, m) / (4.0 * n_v), 0.0)
+
+
+def _tilted(lobes, h, v, light, m):
+    return sum(colour * _lobe(normal, h, v, light, m)[:, None] for colour, normal in lobes)
+
+
+def _carried(normal, h, v, m, true_normal):
+    """What each facet h of a lobe about a normal sends to v out of an even surrounding above the true surface."""
+    v_h, n_h, n_v = h @ v, h @ normal, max(float(normal @ v), 1e-3)
+    light = 2.0 * v_h[:, None] * h - v
+    n_l = light @ normal
+    seen = (v_h > 0.0) & (n_l > 0.0) & (light @ true_normal > 0.0)
+    return np.where(seen, smith_beckmann(n_v, n_l, m) * v_h / (n_v * n_h), 0.0)
+
+
+def _blurred(look, n, h, v, m, width):
+    """The film at V·H with H's slopes blurred along and across the ring about N that it is on, ``(..., 3)``."""
+    cos_alpha = np.sum(n * h, axis=-1)
+    flat = h / np.maximum(cos_alpha, 1e-3)[..., None] - n  # the facet's slope, as a vector in the surface
+    tan_alpha = np.linalg.norm(flat, axis=-1)[..., None]
+    outwards = np.where(tan_alpha > 1e-6, flat / np.maximum(tan_alpha, 1e-6), _any_tangent(n))
+    along = np.cross(n, outwards)
+    spread = [np.sqrt(0.5 * a * a * m * m / (m * m - a * a)) for a in (narrow_slope(m, width), wide_slope(m, width))]
+    total = 0.0
+    for x, y in ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)):  # exact to the third order
+        facet = n + flat + spread[0] * x * outwards + spread[1] * y * along
+        cosine = facet @ v / np.linalg.norm(facet, axis=-1)
+        total = total + 0.25 * look(np.clip(cosine, 0.0, 1.0))
+    return total
+
+
+def _any_tangent(n):
+    tangent = np.cross(n, [0.7531, 0.0, 0.6579])
+    return tangent / np.linalg.norm(tangent, axis=-1, keepdims=True)
+
+
+@functools.lru_cache(maxsize=1)
+def _sphere_normals(count=48):
+    """Normals of a sphere's pixels, ``(P, 3)``: one half of them, as the sun is in the plane of x and z."""
+    x, y = np.meshgrid((np.arange(count) + 0.5) / count * 2.0 - 1.0, (np.arange(count // 2) + 0.5) / count * 2.0)
+    z = np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))
+    return np.stack([x, y, z], axis=-1)[z > LEAST_N_V]
+
+
+def _sun(angle):
+    """Directions of a disc of 5° about the one at this angle from the viewer, ``(19, 3)``."""
+    radius = np.radians(SUN_DIAMETER / 2.0) * np.sqrt((np.arange(19) + 0.5) / 19)
+    turn = np.arange(19) * 2.399963  # the golden angle: even on the disc
+    across = np.array([[np.cos(angle), 0.0, -np.sin(angle)], [0.0, 1.0, 0.0]])
+    light = np.array([np.sin(angle), 0.0, np.cos(angle)]) + (radius * [np.cos(turn), np.sin(turn)]).T @ across
+    return light / np.linalg.norm(light, axis=-1, keepdims=True)
+
+
+@functools.lru_cache(maxsize=4)
+def _slopes(m, count=48):
+    """Facets about z that are even in D cos α dω, ``(count², 3)``."""
+    tan_alpha = m * np.sqrt(-np.log((np.arange(count) + 0.5) / count))[:, None]
+    phi = (np.arange(count) + 0.5) / count * 2.0 * np.pi
+    h = np.stack(np.broadcast_arrays(tan_alpha * np.cos(phi), tan_alpha * np.sin(phi), 1.0), axis=-1).reshape(-1, 3)
+    return h / np.linalg.norm(h, axis=-1, keepdims=True)
+
+
+def _facets(m, normal):
+    """The same about a normal in the plane of x and z."""
+    normal = np.asarray(normal).reshape(3)
+    frame = np.array([[normal[2], 0.0, -normal[0]], [0.0, 1.0, 0.0], normal])
+    return _slopes(m) @ frame

@@ -1,0 +1,87 @@
+"""Films that interfere: stacks of measured layers, computed over the spectrum, tabled over angle and thickness."""
+
+from ..model import Form, Group, Model
+from .parameters import ANODISING_GROUP, HEAT_TINT_GROUP, THICKNESS_GROUP, Film
+
+__all__ = ["MODEL"]
+
+
+def _evaluate(parameters, n, v, l):
+    from .formulas import evaluate
+    return evaluate(parameters, n, v, l)
+
+
+def _bake(resolved, viewing, realisation, renderer):
+    from .baking import bake_for
+    return bake_for(resolved, viewing)
+
+
+def _look(parameters, place=None):
+    from .baking import look
+    return look(parameters, place)
+
+
+def _picture(parameters, viewing):
+    from .tables import picture
+    return picture(parameters, viewing)
+
+
+def _feeds(parameters):
+    from .feeds import feeds
+    return feeds(parameters)
+
+
+def _read_feed(fed):
+    from .feeds import read_feed
+    return read_feed(fed)
+
+
+def _write_form(form, record):
+    from .forms import write_form
+    return write_form(form, record)
+
+
+def _principled(record):
+    from .forms import principled
+    return principled(record)
+
+
+MODEL = Model(
+    package=__name__,
+    title="Film",
+    summary="Interference in stacks of measured layers, over the whole spectrum",
+    citation="F. Abelès, \"Recherches sur la propagation des ondes électromagnétiques sinusoïdales dans les milieux "
+             "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
+    parameters=Film,
+    groups=(
+        Group("film_fast", "Film Fast", 1, "fast.build",
+              "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device",
+              stand_in="film_eevee", pictured=True),
+        Group("film_exact", "Film Exact", 1, "exact.build",
+              "Stacks of films at the angle of each facet, sampled with nodes alone, on every device",
+              stand_in="film_eevee", pictured=True),
+        Group("film_eevee", "Film EEVEE", 1, "fast.build_eevee",
+              "Stacks of films by one native closure, for EEVEE", in_menu=False, pictured=True),
+        Group(THICKNESS_GROUP, "Film Thickness", 1, "thickness.build",
+              "Thickness in nanometres that varies by noise, a gradient or a texture"),
+        Group(ANODISING_GROUP, "Film Anodising", 1, "thickness.build_anodising",
+              "Thickness in nanometres of the oxide that a voltage grows on a metal"),
+        Group(HEAT_TINT_GROUP, "Film Heat Tint", 1, "thickness.build_heat_tint",
+              "Thickness in nanometres of the oxide that heat grows on a metal"),
+    ),
+    realisations={"fast": ("film_fast",), "exact": ("film_exact",)},
+    evaluate=_evaluate,
+    bake=_bake,
+    look=_look,
+    baked_names=("stack",),
+    feeds=_feeds,
+    read_feed=_read_feed,
+    forms={
+        "json": Form("JSON", "Everything that was baked", ".json"),
+        "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
+    },
+    write_form=_write_form,
+    principled=_principled,
+    made_of="stack",
+    picture=_picture,
+)

@@ -1,0 +1,91 @@
+"""The tables of a film's colours: baked once for a stack in words and a viewing, and made the image of groups."""
+
+import dataclasses
+import functools
+import hashlib
+
+import numpy as np
+
+from ...bake.film_table import film_table, smallest_table
+from ...bake.reflected import Viewing
+from ...bake.stack_notation import parse
+from ...catalogue.resolving import layer
+from ..model import Picture
+
+__all__ = ["picture", "stack_of", "table_of"]
+
+VERSION = 1
+"""Raised whenever what a table's image holds changes."""
+OF_METALS, OF_DARK = 0.5, 1.0
+"""CIEDE2000 that a table may be off by: on what absorbs, and where little is reflected."""
+ABSORBING = 0.01
+"""Extinction of what is below from which a film's colour is bright."""
+LOSSLESS = 2e-3
+"""Absorbed shares up to this are rounding and gamut mapping of films that absorb nothing."""
+
+
+@functools.lru_cache(maxsize=32)
+def stack_of(text):
+    """The Stack of a text in the notation.  Raises FacetFilmError that begins with the place."""
+    return parse(text, layer)
+
+
+def table_of(text, viewing, of="reflected"):
+    """The FilmTable of a stack in words.
+
+    viewing  options of addon.bake.reflected.Viewing, {} for its defaults
+    of       "reflected", of the smallest size that comes close enough; "transmitted", of the same size
+    """
+    return _table(text, tuple(sorted(viewing.items())), of)
+
+
+@functools.lru_cache(maxsize=16)
+def _table(text, viewing, of):
+    light = Viewing(**dict(viewing))
+    stack = _in_medium(stack_of(text), light.medium)
+    if of == "transmitted":
+        rows, columns = _table(text, viewing, "reflected").size
+        return film_table(stack, light, rows=rows, columns=max(columns, 8), of=of)
+    bright = float(stack.below_constants.at(550.0)[1]) > ABSORBING
+    return smallest_table(stack, light, OF_METALS if bright else OF_DARK)
+
+
+def _in_medium(stack, medium):
+    """The stack in the medium of a viewing, where its own words leave it in air."""
+    if stack.outside != "air" or medium == 1.0:
+        return stack
+    word = str(getattr(medium, "dataset", medium))
+    outside = parse(f"{word} | {stack.below}", layer).outside_constants
+    return dataclasses.replace(stack, outside=word, outside_constants=outside)
+
+
+def picture(parameters, viewing):
+    """The Picture of a Film's table: √R, and above it √A, the absorbed share, where it is seen through."""
+    clear = parameters.see_through > 0.0
+    told = repr((VERSION, parameters.stack, sorted(viewing.items()), clear))
+    key = hashlib.sha256(told.encode()).hexdigest()[:16]
+    return Picture(f"Film {key}", key, lambda: _made(parameters.stack, viewing, clear))
+
+
+def _made(text, viewing, clear):
+    table = table_of(text, viewing)
+    pixels = table.pixels()
+    if clear:
+        absorbed = np.ones_like(pixels)
+        absorbed[..., :3] = np.sqrt(_absorbed(table, table_of(text, viewing, "transmitted")))
+        pixels = np.concatenate([pixels, absorbed])
+    rows, columns = table.size
+    low, high = table.thickness_range_nm
+    return pixels, {"stack": text}, {"First Thickness": low, "Last Thickness": high, "Columns": float(columns),
+                                     "Rows": float(rows), "Image Rows": float(len(pixels))}
+
+
+def _absorbed(reflected, transmitted):
+    """1 − R − T, ``(rows, columns, 3)``; nothing where it is rounding."""
+    found = np.clip(1.0 - reflected.rgb - transmitted.rgb, 0.0, 1.0)
+    return found if _absorbs(reflected.stack) else np.zeros_like(found)
+
+
+def _absorbs(stack):
+    visible = np.arange(400.0, 701.0, 10.0)
+    return any(float(np.max(film.constants.at(visible)[1])) * film.high > LOSSLESS for film in stack.films)

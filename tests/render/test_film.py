@@ -1,0 +1,179 @@
+"""Films in Blender: what their groups render, what a file keeps, and every door to them."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+
+from addon import api
+from addon.blender import compat
+from addon.blender.datablocks import groups, materials, pictures
+from addon.errors import FacetFilmError
+from addon.verify import film_checks
+from tests.render import probes
+
+ROOT = Path(__file__).resolve().parents[2]
+TITANIA = "TiO2 0-200 nm / Ti"
+
+
+@pytest.fixture(autouse=True)
+def empty_file():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+
+
+@pytest.mark.parametrize("check", [check for check in film_checks.checks(["fast", "exact"])
+                                   if "120 nm" in check.name or "R + T" in check.name], ids=lambda check: check.title)
+def test_what_is_rendered_is_the_spectrum_at_each_facet(check):
+    outcome = check.run()
+    assert outcome.passed, outcome.figures
+
+
+def test_another_thickness_fails_the_check():
+    check = next(check for check in film_checks.checks(["fast"]) if "120 nm" in check.name)
+    assert not check.run(thickness=110.0).passed
+
+
+def ball(*words, **more):
+    """(scene, material) of a ball in an even world."""
+    scene = probes.empty_scene(24, samples=4)
+    material = api.create_material(*words, **more)
+    probes.add_sphere(material)
+    probes.set_world(scene, 1.0)
+    return scene, material
+
+
+def test_a_saved_file_renders_the_same_without_the_extension(tmp_path):
+    scene, _ = ball(preset="anodised_titanium")
+    before = probes.render(scene)
+    file, picture = tmp_path / "film.blend", tmp_path / "film.npy"
+    bpy.ops.wm.save_as_mainfile(filepath=str(file))
+    code = f"""
+import bpy, numpy as np
+bpy.ops.wm.open_mainfile(filepath={str(file)!r})
+from tests.render import probes
+import sys
+np.save({str(picture)!r}, probes.render(bpy.context.scene))
+"""
+    subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True)
+    assert np.abs(np.load(picture) - before).max() < 1e-6
+
+
+def test_films_of_one_stack_share_an_image_and_a_group():
+    first, second, other = (api.create_material(preset=name) for name in (
+        "anodised_titanium_blue", "anodised_titanium_gold", "heat_tinted_steel"))
+    trees = [materials.our_node(material).node_tree for material in (first, second, other)]
+    assert trees[0] == trees[1] != trees[2]
+    assert len(bpy.data.images) == 2
+    assert pictures.image_in(trees[0]) != pictures.image_in(trees[2])
+    for tree in trees:
+        assert not groups.edited(tree)
+        stand_in = next(node.node_tree for node in tree.nodes if node.bl_idname == "ShaderNodeGroup")
+        assert pictures.image_in(stand_in) == pictures.image_in(tree)
+
+
+def test_the_image_is_packed_and_holds_numbers():
+    api.create_material(preset="soap_bubble")
+    image, = bpy.data.images
+    assert image.packed_file and image.is_float
+    assert image.colorspace_settings.name == "Non-Color" and image.alpha_mode == "NONE"
+    assert tuple(image.size) == (512, 128)  # the table, and what is absorbed above it
+
+
+def test_a_group_whose_image_someone_changed_is_not_reused():
+    first = api.create_material("film", stack=TITANIA)
+    tree = materials.our_node(first).node_tree
+    pictures.put_image(tree, bpy.data.images.new("mine", 8, 8))
+    again = materials.our_node(api.create_material("film", stack=TITANIA)).node_tree
+    assert again != tree and pictures.image_in(again) is not None
+
+
+def test_a_record_comes_back_switched_and_baked_again():
+    material = api.create_material("film", stack=TITANIA, thickness=41.0, roughness=0.4)
+    record = api.record_of(material)
+    assert (record.parameters.stack, record.parameters.thickness) == (TITANIA, 41.0)
+    assert record.source.name == TITANIA and record.measured
+    assert set(record.baked["realisations"]) == {"standard", "reference"}
+    api.switch_realisation(material, "exact")
+    assert api.record_of(material).parameters.changed(sampling_width=0.2) == record.parameters
+    before = pictures.image_in(materials.our_node(material).node_tree)
+    api.rebake(material, {"illuminant": "A"})
+    assert api.record_of(material).viewing["illuminant"] == "A"
+    assert pictures.image_in(materials.our_node(material).node_tree) != before
+    assert api.record_of(material).parameters.changed(sampling_width=0.2) == record.parameters
+
+
+def test_a_gradient_becomes_a_constant_thickness():
+    material = api.create_material(preset="anodised_titanium")
+    assert api.record_of(material).parameters.thickness_range == (10.0, 175.0)
+    constant = api.create_material(preset="anodised_titanium", thickness=60.0)
+    assert api.record_of(constant).parameters.thickness_range is None
+
+
+@pytest.mark.parametrize("words", [
+    {"preset": "main/TiO2/Jolivet-anatase 60 nm / main/Ti/Palm"}, {"preset": "water | MgF2 100 nm / glass"},
+    {"model": "film"}, {"model": "film", "stack": "SiO2 0-1000 nm / Si", "thickness": 300.0}])
+def test_every_door_takes_a_stack(words):
+    material = api.create_material(**words)
+    assert materials.model_of(material).name == "film"
+    assert api.export(material, "csv").startswith("cos_theta,r,g,b\n")
+
+
+@pytest.mark.parametrize("words, said", [
+    ({"preset": "Foo 10 nm / Si"}, "At 'Foo 10 nm'"), ({"preset": "Ag | SiO2 10 nm / Si"}, "must not absorb"),
+    ({"preset": "SiO2 -5 nm / Si"}, "a thickness is from 0 nm on"),
+    ({"preset": "no/such/file.csv 10 nm / Si"}, "At 'no/such/file.csv 10 nm'"),
+    ({"preset": "soap_bubble", "stack": TITANIA}, "give one of them"),
+    ({"preset": TITANIA, "thickness": -1.0}, "thickness must be")])
+def test_bad_input_is_one_sentence_and_makes_nothing(words, said):
+    with pytest.raises(FacetFilmError, match=said):
+        api.create_material(**words)
+    assert not bpy.data.materials and not bpy.data.images
+
+
+def test_eevee_and_cycles_agree_on_a_gradient():
+    """Linear look-ups are off by 10 where the thickness changes from pixel to pixel."""
+    scene, material = ball("film", stack=TITANIA, roughness=0.05, thickness_range=(20.0, 180.0), gradient=1.0)
+    tree = materials.our_node(material).node_tree
+    eevee = next(node.node_tree for node in tree.nodes if node.bl_idname == "ShaderNodeGroup")
+    for group, filters in ((tree, {"Linear"}), (eevee, {"Closest"})):
+        assert {node.interpolation for node in group.nodes if node.bl_idname == "ShaderNodeTexImage"} == filters
+    cycles = probes.render(scene)
+    node = materials.our_node(material)
+    outputs = [n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]
+    output = next(n for n in outputs if n.target == "CYCLES")
+    material.node_tree.links.new(node.outputs[1], output.inputs[0])
+    stand_in = probes.render(scene)
+    assert compat.eevee_engine()
+    _, mask = probes.pixel_normals(24)
+    assert np.abs(cycles - stand_in)[mask].mean() < 0.01
+
+
+def test_thickness_laws_are_what_their_groups_render():
+    from addon.spectra.thickness_laws import ANODISING, HEAT_TINTS
+    anodised = {metal.capitalize(): law.thickness(30.0) for metal, law in ANODISING.items()}
+    tinted = {metal.title(): law.thickness(300.0) for metal, law in HEAT_TINTS.items()}
+    for identifier, values, wanted in (("film_anodising", {"Voltage": 30.0}, anodised),
+                                       ("film_heat_tint", {"Temperature": 300.0, "Time": 1.0}, tinted)):
+        for output, nm in wanted.items():
+            assert rendered(identifier, values, output) == pytest.approx(float(nm), rel=1e-4)
+
+
+def rendered(identifier, values, output):
+    """What a group's output is, as the radiance of a ball."""
+    scene = probes.empty_scene(8)
+    material = bpy.data.materials.new("output")
+    compat.enable_nodes(material)
+    tree = material.node_tree
+    tree.nodes.clear()
+    node, emission, surface = (tree.nodes.new(kind) for kind in (
+        "ShaderNodeGroup", "ShaderNodeEmission", "ShaderNodeOutputMaterial"))
+    node.node_tree = groups.node_group(identifier)
+    for name, value in values.items():
+        node.inputs[name].default_value = value
+    tree.links.new(node.outputs[output], emission.inputs["Color"])
+    tree.links.new(emission.outputs[0], surface.inputs["Surface"])
+    probes.add_sphere(material)
+    return probes.render(scene)[4, 4, 0]

@@ -1,0 +1,67 @@
+"""The film model without Blender: its picture, its file format, and what a record says of it."""
+
+import struct
+import zlib
+
+import numpy as np
+import pytest
+
+from addon.models.film.parameters import Film
+from addon.models.film.tables import picture, table_of
+from addon.models.making import made
+from addon.nodes.exr import LINES, exr_bytes
+
+SOAP = Film(stack="soap 5-1000 nm / air", see_through=1.0)
+
+
+def read(data, rows, columns):
+    """Blue, green, red of a compressed file of one block, from the top, as the format's documents say."""
+    at = data.index(b"screenWindowWidth\0float\0") + len(b"screenWindowWidth\0float\0") + 8 + 1
+    place, = struct.unpack_from("<Q", data, at)
+    start, size = struct.unpack_from("<ii", data, place)
+    raw = zlib.decompress(data[place + 8:place + 8 + size])
+    halves = np.cumsum(np.frombuffer(raw, np.uint8).astype(int) - np.r_[0, np.full(len(raw) - 1, 128)]) % 256
+    middle = (len(raw) + 1) // 2
+    plain = np.empty(len(raw), np.uint8)
+    plain[::2], plain[1::2] = halves[:middle], halves[middle:]
+    assert start == 0 and rows <= LINES
+    return plain.tobytes(), np.frombuffer(plain.tobytes(), "<f2").reshape(rows, 3, columns)
+
+
+def test_a_file_holds_the_pixels_to_half_precision():
+    y, x = np.mgrid[0:9, 0:300] / 300.0
+    pixels = np.stack([x, y, x * y], axis=-1)
+    _, found = read(exr_bytes(pixels), 9, 300)
+    np.testing.assert_array_equal(np.moveaxis(found, 1, 2)[::-1, :, ::-1], pixels.astype(np.float16))
+
+
+def test_a_picture_is_another_for_another_light_stack_or_side():
+    first = picture(SOAP, {"space": "Rec.709"})
+    others = [picture(SOAP, {"space": "Rec.2020"}), picture(SOAP.changed(see_through=0.0), {"space": "Rec.709"}),
+              picture(Film(), {"space": "Rec.709"})]
+    assert len({first.key, *(other.key for other in others)}) == 4
+    assert picture(SOAP.changed(roughness=0.5, thickness=1.0), {"space": "Rec.709"}).key == first.key
+
+
+def test_what_is_seen_through_has_what_is_absorbed_above_its_table():
+    pixels, values, sockets = picture(SOAP, {}).make()
+    rows, columns = table_of(SOAP.stack, {}).size
+    assert pixels.shape == (2 * rows, columns, 4) and values == {"stack": SOAP.stack}
+    assert sockets["Image Rows"] == 2 * sockets["Rows"] == 2 * rows
+    assert not pixels[rows:, :, :3].any()  # soap absorbs nothing
+    visor = Film(stack="Au 5-40 nm / 1.585", see_through=1.0)
+    pixels = picture(visor, {}).make()[0]
+    assert pixels[len(pixels) // 2:, :, :3].max() > 0.3
+
+
+@pytest.mark.parametrize("viewing, outside", [({"medium": 1.333}, "1.333"), ({}, "air")])
+def test_a_medium_is_what_is_outside(viewing, outside):
+    assert table_of(Film().stack, viewing).stack.outside == outside
+
+
+def test_a_record_says_how_far_each_realisation_is_off():
+    record = made(preset="TiO2 0-200 nm / Ti")
+    assert record.measured and record.source.name == "TiO2 0-200 nm / Ti"
+    standard, reference = (record.baked["realisations"][name] for name in ("standard", "reference"))
+    assert standard["sphere_mean"] < 0.7 and reference["sphere_mean"] < 0.1
+    assert record.baked["table"]["delta_e_2000_max"] < 0.5
