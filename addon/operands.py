@@ -18,7 +18,7 @@ import numpy as np
 
 __all__ = [
     "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
-    "minimum", "maximum", "clip", "less", "where",
+    "minimum", "maximum", "clip", "less", "where", "lookup",
     "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
     "term",
 ]
@@ -125,6 +125,23 @@ def where(condition, x, y):
     With nodes both sides are evaluated; neither may be infinite or NaN.
     """
     return _apply("where", lambda c, a, b: np.where(np.asarray(c) > 0.5, a, b), condition, x, y)
+
+
+def lookup(x, knots, values):
+    """The value at x of straight lines between knots, its ends held.
+
+    knots   ascending from 0 to 1, ``(K,)``
+    values  ``(K,)``
+
+    With nodes a curve, which the renderer keeps as a table of 257 entries.
+
+    >>> float(lookup(0.25, [0.0, 0.5, 1.0], [1.0, 3.0, 2.0]))
+    2.0
+    """
+    node = _nodes([x])
+    if node is not None:
+        return node.builder.lookup(x, knots, values)
+    return np.interp(x, knots, values)
 
 
 def dot(a, b):

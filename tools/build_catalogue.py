@@ -51,16 +51,17 @@ def main(path=FILE):
     """Write the catalogue."""
     about, _, _ = tables.read("refractiveindex")
     everything = presets.all_presets().values()
-    baked = {preset: (bake(preset.name), made(preset=preset.name).parameters)
-             for preset in everything if preset.measured}
-    citations = list(dict.fromkeys(found.source.citation for preset, (found, _) in sorted(
-        baked.items(), key=lambda item: list(KINDS).index(item[0].kind)) if preset.dataset))
+    records = {preset: made(preset=preset.name) for preset in everything if preset.measured}
+    baked = {preset: (bake(preset.name), record.parameters)
+             for preset, record in records.items() if "conductor" in record.baked}
+    citations = list(dict.fromkeys(record.baked["source"]["citation"] for preset, record in sorted(
+        records.items(), key=lambda item: list(KINDS).index(item[0].kind)) if preset.dataset))
     metals = sum(preset.kind in {"metal", "alloy"} for preset in everything)
     parts = [INTRODUCTION.format(**about | {"tool": TOOL}, count=len(everything), metals=metals)]
     for kind, title in KINDS.items():
         of_kind = [preset for preset in everything if preset.kind == kind]
-        rows = [row(preset, *baked[preset], citations) for preset in of_kind if preset.measured]
-        others = [unmeasured_row(preset) for preset in of_kind if not preset.measured]
+        rows = [row(preset, *baked[preset], citations) for preset in of_kind if preset in baked]
+        others = [other_row(preset, records.get(preset), citations) for preset in of_kind if preset not in baked]
         listed = [table(head, found) for head, found in ((HEAD, rows), (UNMEASURED_HEAD, others)) if found]
         parts.append(f"## {title}\n\n" + "\n".join(listed))
     sources = "\n".join(f"{number}. {' '.join(text.split())}" for number, text in enumerate(citations, 1))
@@ -78,10 +79,13 @@ def line(cells):
     return "| " + " | ".join(cells) + " |"
 
 
-def unmeasured_row(preset):
-    """The cells of a preset that was not measured."""
+def other_row(preset, record, citations):
+    """The cells of a preset that was not measured, or whose record is not of a mirror's curve."""
     called = ", ".join(dict.fromkeys([preset.title, *preset.aliases]))
-    return (f"`{preset.name}`", called, picture(preset.name), preset.note)
+    data = ""
+    if preset.dataset:
+        data = f"`{preset.dataset}` [{citations.index(record.baked['source']['citation']) + 1}]. "
+    return (f"`{preset.name}`", called, picture(preset.name), data + (record.baked["note"] if record else preset.note))
 
 
 def row(preset, bake, surface, citations):

@@ -10,6 +10,8 @@ SIZE = 96
 """Of a preview in pixels, as large as the Asset Browser shows it by default."""
 
 SAMPLES = 64
+BOUNCES = 4
+STRIPES, TILE = "Stripes", 1.6
 SKY = ((0.0, 0.05), (0.42, 0.10), (0.5, 0.16), (0.56, 0.54), (0.75, 0.68), (1.0, 0.40))
 """Radiance of the surroundings from straight below (0) to straight above (1): a dark floor, a bright horizon."""
 LIGHTS = (
@@ -36,8 +38,51 @@ def render(scene, ball, material, path):
     """Take the picture of one material into a PNG file."""
     ball.data.materials.clear()
     ball.data.materials.append(material)
+    _set_backdrop(scene, material.use_raytrace_refraction)
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
+
+
+def _set_backdrop(scene, seen_through):
+    """Tiles behind the ball, seen only through it, where light passes through; and the bounces that it needs."""
+    scene.cycles.max_bounces = 16 if seen_through else BOUNCES
+    stripes = bpy.data.objects.get(STRIPES)
+    if stripes is None and seen_through:
+        stripes = _add_stripes(scene)
+    if stripes is not None:
+        stripes.hide_render = not seen_through
+
+
+def _add_stripes(scene):
+    """Light and dark tiles that shine, behind and below the ball."""
+    mesh = bpy.data.meshes.new(STRIPES)
+    side, vertices, faces = 6, [], []
+    for column in range(side):
+        for row in range(side):
+            x, z = TILE * (column - 0.5 * side), TILE * (row - 0.5 * side)
+            vertices += [(x, 3.0, z), (x + TILE, 3.0, z), (x + TILE, 3.0, z + TILE), (x, 3.0, z + TILE)]
+            faces.append(range(len(vertices) - 4, len(vertices)))
+    mesh.from_pydata(vertices, [], [tuple(face) for face in faces])
+    for radiance in (0.22, 0.8):
+        mesh.materials.append(_shining(radiance))
+    for number, face in enumerate(mesh.polygons):
+        face.material_index = (number // side + number % side) % 2
+    stripes = bpy.data.objects.new(STRIPES, mesh)
+    stripes.visible_camera = stripes.visible_glossy = stripes.visible_diffuse = False
+    scene.collection.objects.link(stripes)
+    return stripes
+
+
+def _shining(radiance):
+    material = bpy.data.materials.new(STRIPES)
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    emission = tree.nodes.new("ShaderNodeEmission")
+    emission.inputs["Color"].default_value = (radiance, radiance, radiance, 1.0)
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(emission.outputs[0], output.inputs[0])
+    return material
 
 
 def _set_render(scene):
@@ -54,7 +99,7 @@ def _set_render(scene):
     scene.cycles.samples = SAMPLES
     scene.cycles.use_adaptive_sampling = False
     scene.cycles.use_denoising = True
-    scene.cycles.max_bounces = 4
+    scene.cycles.max_bounces = BOUNCES
     scene.cycles.seed = 0
 
 

@@ -45,6 +45,8 @@ def names():
 
 LOST_BITS = 1
 """Of eight a channel: no eye sees it, and the files shrink by a quarter."""
+CLEAR_LOST_BITS = 3
+"""The same where light passes through, whose pictures are full of detail."""
 
 
 def main(wanted):
@@ -57,8 +59,10 @@ def main(wanted):
             start = time.perf_counter()
             material = _material(name)
             preview_scene.render(scene, ball, material, rendered)
+            seen_through = material.use_raytrace_refraction
             bpy.data.materials.remove(material)
-            (FOLDER / f"{name}.png").write_bytes(png_bytes(_coarser(_pixels(rendered))))
+            coarse = _coarser(_pixels(rendered), CLEAR_LOST_BITS if seen_through else LOST_BITS)
+            (FOLDER / f"{name}.png").write_bytes(png_bytes(coarse))
             print(f"{name}: {time.perf_counter() - start:.1f} s", flush=True)
 
 
@@ -102,10 +106,10 @@ def _pixels(path):
     return np.round(pixels * 255.0).astype(np.uint8).reshape(height, width, 4)[::-1]
 
 
-def _coarser(pixels):
+def _coarser(pixels, lost):
     """Without the lowest bits of each colour; nothing where nothing is seen."""
-    colour = pixels[..., :3] >> LOST_BITS << LOST_BITS
-    colour = colour | colour >> 8 - LOST_BITS  # white stays white
+    colour = pixels[..., :3] >> lost << lost
+    colour = colour | colour >> 8 - lost  # white stays white
     return np.concatenate([np.where(pixels[..., 3:] > 0, colour, 0), pixels[..., 3:]], axis=-1)
 
 

@@ -2,7 +2,8 @@
 
 import bpy
 
-__all__ = ["conductor_formula", "renderer", "working_space", "enable_nodes", "eevee_engine", "is_unused_newcomer"]
+__all__ = ["conductor_formula", "renderer", "working_space", "enable_nodes", "eevee_engine", "is_unused_newcomer",
+           "set_refraction"]
 
 
 def conductor_formula():
@@ -40,6 +41,13 @@ def enable_nodes(material):
     """Give a new material a node tree; from 5.0 it always has one."""
     if material.node_tree is None:
         material.use_nodes = True
+
+
+def set_refraction(material, refracts):
+    """Tell EEVEE whether light passes through a material, and that the body is as thick as a ball of its size."""
+    material.use_raytrace_refraction = refracts
+    if refracts:
+        material.thickness_mode = "SPHERE"
 
 
 def eevee_engine():

@@ -27,7 +27,7 @@ def names():
     """The names of all models.
 
     >>> names()
-    ('cook_torrance', 'film', 'layered_rgb')
+    ('cook_torrance', 'clear', 'film', 'layered_rgb')
     """
     return tuple(folders())
 

@@ -138,6 +138,7 @@ class Model:
     write_form    function(form, Record) -> text
     principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
     measured      whether a measurement that is no preset can become a material of it
+    refracts     whether light passes through its materials, which EEVEE has to be told
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
     picture       function(parameters, viewing options) -> the Picture of its pictured groups
     """
@@ -161,6 +162,7 @@ class Model:
     write_form: Callable | None = None
     principled: Callable | None = None
     measured: bool = False
+    refracts: bool = False
     made_of: str = ""
     picture: Callable | None = None
 

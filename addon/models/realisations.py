@@ -24,6 +24,8 @@ REALISATIONS = {
     "fast": Realisation("Fast", "Native closures: light-sampled, on every device, and in EEVEE", native=True),
     "exact": Realisation("Exact", "The published formula itself, sampled with nodes alone, on every device; "
                                   "EEVEE shows Fast"),
+    "dispersive": Realisation("Dispersive", "Every wavelength refracted by its own index, for rainbows in gems and "
+                                            "prisms; noisier, and EEVEE shows it without them", native=True),
     "osl": Realisation("OSL", "The published formula itself as an OSL script: needs Open Shading Language switched on "
                               "in Render properties, on the CPU or OptiX; EEVEE shows Fast", osl=True),
     "osl_fast": Realisation("OSL Fast", "Native closures from an OSL script: needs Open Shading Language switched on",

@@ -139,6 +139,16 @@ class GroupBuilder:
         """V, the unit direction from the surface to the viewer."""
         return self.node("ShaderNodeNewGeometry", output="Incoming")
 
+    def lookup(self, x, knots, values):
+        """A Float Curve of straight lines between knots."""
+        key = ("lookup", self._key(x), tuple(knots), tuple(values))
+        if key not in self._shared:
+            node = self._new_node("ShaderNodeFloatCurve", {})
+            set_knots(node.mapping, 0, knots, values)
+            self.connect(socket_of(node.inputs, "Value"), x)
+            self._shared[key] = NodeOperand(self, "FLOAT", node.outputs[0])
+        return self._shared[key]
+
     def script(self, file, values):
         """The closure of an OSL script, whose parameters bear the names of the group's inputs without their spaces.
 
@@ -313,6 +323,19 @@ class GroupBuilder:
 
     def _key(self, operand):
         return operand.key() if isinstance(operand, NodeOperand) else constant(operand)
+
+
+def set_knots(mapping, curve, knots, values):
+    """Put straight lines between knots into a curve of a CurveMapping; their ends are held."""
+    mapping.use_clip = False
+    mapping.extend = "HORIZONTAL"
+    points = mapping.curves[curve].points
+    while len(points) < len(knots):
+        points.new(0.5, 0.5)
+    for point, knot, value in zip(points, knots, values):
+        point.location = (float(knot), float(value))
+        point.handle_type = "VECTOR"
+    mapping.update()
 
 
 def constant(operand):

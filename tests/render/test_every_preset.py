@@ -78,6 +78,12 @@ EXTREMES = {
         "n": [(1e-3,) * 3, (100.0,) * 3, (1.0,) * 3, (1e-3, 1.0, 100.0)], "k": [(0.0,) * 3, (100.0,) * 3],
         "diffuse": [(0.0,) * 3, (1.0,) * 3], "scale": ["energy", "published"], "gaussian_c": [0.0, 1000.0],
         "sampling_width": [0.0, 0.01, 1.0]},
+    "clear": {
+        "roughness": [0.0, 1.0], "tint": [(0.0,) * 3, (1.0,) * 3], "depth_colour": [(0.0,) * 3, (1.0,) * 3],
+        "depth": [1e-6, 1e6], "concentration": [0.0, 1e6], "absorption": [(0.0,) * 3, (1e9,) * 3],
+        "scene_scale": [1e-9, 1.0, 1e9], "ior": [1.0, 10.0], "outside": [1.0, 10.0], "dispersion": [0.0, 10.0],
+        "cauchy_b": [-1.0, 0.0, 1.0], "cauchy_c": [-1.0, 0.0, 1.0], "walls": ["solid", "thin"],
+        "thickness": [0.0, 1e6], "see_through": [0.0, 1.0]},
     "layered_rgb": {
         "thickness": [0.0, 1.0, 1e5], "ior": [(1.0001,) * 3, (10.0,) * 3, (1.0001, 1.5, 10.0)],
         "wavelengths": [(1.0,) * 3, (1e4,) * 3], "exponent_r": [0.0, 1e5], "exponent_t": [0.0, 1e5],

@@ -56,7 +56,7 @@ def test_the_document_has_all_files():
 
 
 def test_it_is_in_the_list_of_models(lambert):
-    assert set(models.names()) == {"cook_torrance", "film", "lambert", "layered_rgb"}
+    assert set(models.names()) == {"clear", "cook_torrance", "film", "lambert", "layered_rgb"}
 
 
 def test_its_group_is_built_with_its_sockets(lambert):

@@ -17,6 +17,9 @@ SETTINGS = {
     "ShaderNodeScript": ("mode",), "ShaderNodeTexNoise": ("noise_dimensions", "noise_type", "normalize"),
     "ShaderNodeBump": ("invert",), "ShaderNodeMixShader": (), "ShaderNodeAddShader": (), "ShaderNodeBsdfDiffuse": (),
     "ShaderNodeSeparateXYZ": (), "ShaderNodeCombineXYZ": (), "ShaderNodeNewGeometry": (), "ShaderNodeTexCoord": (),
+    "ShaderNodeBsdfGlass": ("distribution",), "ShaderNodeBsdfRefraction": ("distribution",),
+    "ShaderNodeLightPath": (), "ShaderNodeFloatCurve": (),
+    "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
     "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
 }
@@ -51,6 +54,8 @@ def _of_node(node):
         facts.append(node.node_tree.get(ID_KEY, node.node_tree.name))
     if kind == "ShaderNodeScript" and node.script is not None:
         facts.append(hashlib.sha256(node.script.as_string().encode()).hexdigest())
+    if kind == "ShaderNodeFloatCurve":
+        facts.append([tuple(round(x, 5) for x in point.location) for point in node.mapping.curves[0].points])
     facts += [(socket.identifier, _shown(socket.default_value)) for socket in _valued(node)]
     return facts
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import bpy
 
 from ...errors import FacetFilmError
-from ..compat import enable_nodes
+from ..compat import enable_nodes, set_refraction
 from .groups import (
     EEVEE_OUTPUT,
     VERSION_KEY,
@@ -65,6 +65,7 @@ def write(material: bpy.types.Material, record: Record) -> None:
         node = material.node_tree.nodes.new("ShaderNodeGroup")
         node.width = NODE_WIDTH
     write_node(material.node_tree, node, record)
+    set_refraction(material, model_of_group(record.group).refracts)
     material[RECORD_KEY] = record.to_json()
     _show_in_viewport(material, record)
 

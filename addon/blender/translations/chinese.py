@@ -39,6 +39,8 @@ TEXTS = {
         "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
     "A verification is running":
         "验证正在运行",
+    "Absorption":
+        "吸收",
     "Adapt White":
         "适应白点",
     "Add Asset Library":
@@ -115,6 +117,10 @@ TEXTS = {
         "曲线的 CSV",
     "CSV of the Spectrum":
         "光谱的 CSV",
+    "Cauchy b":
+        "柯西 b",
+    "Cauchy c":
+        "柯西 c",
     "Check":
         "核对",
     "Check Against a Measurement":
@@ -123,6 +129,10 @@ TEXTS = {
         "选择文件：此处显示它被读作什么",
     "Citation":
         "引文",
+    "Clear Dispersive":
+        "透明（色散）",
+    "Clear Standard":
+        "透明（标准）",
     "Clip":
         "裁剪",
     "Colour of a preset's mirror over the angle, for any shader":
@@ -133,6 +143,8 @@ TEXTS = {
         "列",
     "Compare Measurements":
         "比较测量值",
+    "Concentration":
+        "浓度",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
         "以原生闭包实现的 Cook 与 Torrance 1982：光源采样，适用于所有设备及 EEVEE",
     "Cook-Torrance Exact":
@@ -155,6 +167,10 @@ TEXTS = {
         "数据集 {dataset!r} 在可见光 400 至 700 nm 内的覆盖不足 50 nm；请另选一个。",
     "Dataset {dataset!r} has k but no n: no reflectance follows; choose another.":
         "数据集 {dataset!r} 只有 k 而没有 n：无法得出反射率；请另选一个。",
+    "Depth":
+        "深度",
+    "Depth Color":
+        "深度颜色",
     "Desaturate":
         "降低饱和度",
     "Deviation":
@@ -165,6 +181,10 @@ TEXTS = {
         "漫射",
     "Diffuse Color":
         "漫射颜色",
+    "Dispersion":
+        "色散",
+    "Dispersive":
+        "色散",
     "Does this Blender render the published formulas? Find out on this machine:":
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Drained":
@@ -173,6 +193,8 @@ TEXTS = {
         "边缘色调",
     "Every parameter":
         "所有参数",
+    "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
+        "每个波长以各自的折射率折射，使宝石和棱镜呈现彩虹；噪点较多，EEVEE 中不显示彩虹",
     "Everything in this file is of this version":
         "此文件中的一切都是当前版本",
     "Everything that was baked":
@@ -231,6 +253,8 @@ TEXTS = {
         "高斯 c",
     "Give a preset that you saved another name":
         "为已保存的预设改名",
+    "Glass, liquids and gems of one index of refraction, coloured by the way through them":
+        "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
     "Glasses":
         "玻璃",
     "Gradient":
@@ -243,6 +267,8 @@ TEXTS = {
         "组",
     "How the formula becomes a Cycles material":
         "公式如何成为 Cycles 材质",
+    "IOR":
+        "折射率",
     "Illuminant":
         "光源",
     "Image Rows":
@@ -341,6 +367,8 @@ TEXTS = {
         "其他导体",
     "Outside":
         "外部介质",
+    "Outside IOR":
+        "外部折射率",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "色域外：{:s}，通道最多改变 {:.3f}",
     "Oxides":
@@ -409,10 +437,14 @@ TEXTS = {
         "以自定义名称保存活动材质，或删除已保存的材质",
     "Scale":
         "缩放",
+    "Scene Scale":
+        "场景比例",
     "Scene-linear space that the colours are written in":
         "写入颜色所用的场景线性空间",
     "See-through":
         "透视",
+    "See-through Shadows":
+        "透光阴影",
     "Select a group node of Facet & Film first":
         "请先选择 Facet & Film 组节点",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
@@ -500,6 +532,8 @@ TEXTS = {
         "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
+    "The same with the colours of the rainbow, each refracted by its own index":
+        "同上，并带有彩虹色，每种颜色以各自的折射率折射",
     "The scene-linear space of this file":
         "此文件的场景线性空间",
     "The second Blender ended with status {:d}: {:s}":
@@ -526,6 +560,8 @@ TEXTS = {
         "随噪波、渐变或纹理变化的厚度（纳米）",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
+    "Thin Walled":
+        "薄壁",
     "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
         "此 Blender 编译时未包含 OSL：请使用精确或快速实现，它们渲染同一材质",
     "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
@@ -540,6 +576,8 @@ TEXTS = {
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Time":
         "时间",
+    "Tint":
+        "染色",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Update Materials":

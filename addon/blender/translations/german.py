@@ -40,6 +40,8 @@ TEXTS = {
         "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
     "A verification is running":
         "Eine Prüfung läuft",
+    "Absorption":
+        "Absorption",
     "Adapt White":
         "Weiß anpassen",
     "Add Asset Library":
@@ -118,6 +120,10 @@ TEXTS = {
         "CSV der Kurve",
     "CSV of the Spectrum":
         "CSV des Spektrums",
+    "Cauchy b":
+        "Cauchy b",
+    "Cauchy c":
+        "Cauchy c",
     "Check":
         "Prüfen",
     "Check Against a Measurement":
@@ -126,6 +132,10 @@ TEXTS = {
         "Eine Datei wählen: Hier steht, als was sie gelesen wird",
     "Citation":
         "Quelle",
+    "Clear Dispersive":
+        "Klar, mit Dispersion",
+    "Clear Standard":
+        "Klar, Standard",
     "Clip":
         "Abschneiden",
     "Colour of a preset's mirror over the angle, for any shader":
@@ -136,6 +146,8 @@ TEXTS = {
         "Spalten",
     "Compare Measurements":
         "Messungen vergleichen",
+    "Concentration":
+        "Konzentration",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
         "Cook und Torrance 1982 mit eingebauten Shadern: mit Licht-Sampling, auf jedem Gerät und in EEVEE",
     "Cook-Torrance Exact":
@@ -158,6 +170,10 @@ TEXTS = {
         "Datensatz {dataset!r} deckt weniger als 50 nm des Sichtbaren, 400 bis 700 nm; bitte einen anderen wählen.",
     "Dataset {dataset!r} has k but no n: no reflectance follows; choose another.":
         "Datensatz {dataset!r} hat k, aber kein n: Daraus folgt kein Reflexionsgrad; bitte einen anderen wählen.",
+    "Depth":
+        "Tiefe",
+    "Depth Color":
+        "Farbe in der Tiefe",
     "Desaturate":
         "Entsättigen",
     "Deviation":
@@ -168,6 +184,10 @@ TEXTS = {
         "Diffus",
     "Diffuse Color":
         "Diffuse Farbe",
+    "Dispersion":
+        "Dispersion",
+    "Dispersive":
+        "Mit Dispersion",
     "Does this Blender render the published formulas? Find out on this machine:":
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Drained":
@@ -176,6 +196,8 @@ TEXTS = {
         "Randtönung",
     "Every parameter":
         "Alle Parameter",
+    "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
+        "Jede Wellenlänge mit eigener Brechzahl, für Regenbögen in Edelsteinen und Prismen; rauscht mehr, und EEVEE zeigt es ohne sie",
     "Everything in this file is of this version":
         "Alles in dieser Datei ist von dieser Version",
     "Everything that was baked":
@@ -234,6 +256,8 @@ TEXTS = {
         "Gauß c",
     "Give a preset that you saved another name":
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
+    "Glass, liquids and gems of one index of refraction, coloured by the way through them":
+        "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
     "Glasses":
         "Gläser",
     "Gradient":
@@ -246,6 +270,8 @@ TEXTS = {
         "Gruppe",
     "How the formula becomes a Cycles material":
         "Wie die Formel zu einem Cycles-Material wird",
+    "IOR":
+        "Brechzahl",
     "Illuminant":
         "Lichtart",
     "Image Rows":
@@ -345,6 +371,8 @@ TEXTS = {
         "Andere Leiter",
     "Outside":
         "Außen",
+    "Outside IOR":
+        "Brechzahl außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
     "Oxides":
@@ -413,10 +441,14 @@ TEXTS = {
         "Speichert das aktive Material unter eigenem Namen oder löscht ein gespeichertes",
     "Scale":
         "Skalieren",
+    "Scene Scale":
+        "Maßstab der Szene",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
     "See-through":
         "Durchsichtig",
+    "See-through Shadows":
+        "Durchscheinende Schatten",
     "Select a group node of Facet & Film first":
         "Erst einen Gruppen-Node von Facet & Film auswählen",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
@@ -505,6 +537,8 @@ TEXTS = {
         "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
+    "The same with the colours of the rainbow, each refracted by its own index":
+        "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
     "The second Blender ended with status {:d}: {:s}":
@@ -531,6 +565,8 @@ TEXTS = {
         "Dicke in Nanometern, die durch Rauschen, einen Verlauf oder eine Textur wechselt",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
+    "Thin Walled":
+        "Dünnwandig",
     "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
         "Dieses Blender ist ohne OSL gebaut: die Realisierung Exakt oder Schnell nehmen, die dasselbe Material rendern",
     "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
@@ -545,6 +581,8 @@ TEXTS = {
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Time":
         "Zeit",
+    "Tint":
+        "Tönung",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Update Materials":

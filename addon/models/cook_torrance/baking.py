@@ -37,16 +37,22 @@ def bake_for(resolved, viewing, realisation, renderer):
     baked, variant = _fitted(resolved, viewing, realisation, renderer)
     found = facts(resolved, baked)
     diffuse = tuple(min(max(channel, 0.0), 1.0) for channel in found["diffuse_rgb"])
-    parameters = {**resolved.preset.parameters, "n": baked.conductor.n, "k": baked.conductor.k, "diffuse": diffuse}
+    parameters = {**_own(resolved), "n": baked.conductor.n, "k": baked.conductor.k, "diffuse": diffuse}
     return Baked(parameters, found, variant)
 
 
 def facts(resolved, baked):
     """All that was baked: the Bake, and what the preset says of the surface, ready for JSON."""
-    stated = resolved.preset.parameters
+    stated = _own(resolved)
     surface = CookTorrance(**{name: value for name, value in stated.items() if name != "diffuse"}).to_dict()
     return {**baked.to_dict(), "diffuse_rgb": list(diffuse_colour(stated.get("diffuse", SPECULAR), baked)),
             **{name: surface[name] for name in ("specular", "slopes", "distribution")}}
+
+
+def _own(resolved):
+    """The preset's parameters that are this model's: it may have moved to another since a file was saved."""
+    known = CookTorrance.__dataclass_fields__
+    return {name: value for name, value in resolved.preset.parameters.items() if name in known}
 
 
 def _fitted(resolved, viewing, realisation, renderer):

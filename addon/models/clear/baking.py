@@ -1,0 +1,83 @@
+"""From a measured material to a clear one: its index, its dispersion, its absorption."""
+
+import numpy as np
+
+from ...bake.clear_absorption import CLEAR, alpha_of, attenuation_of
+from ...bake.clear_index import index_of
+from ...bake.reflected import Viewing
+from ...reflectance.fresnel import dielectric
+from ...spectra import optical_constants
+from ..model import Baked, Look
+from .parameters import Clear
+
+__all__ = ["bake_for", "facts_of", "look"]
+
+K_FROM, ABBE = "k_from", "abbe"
+"""Of a preset's parameters what the bake reads: the dataset whose k it is, or "none"; V_d where a maker states it."""
+
+SEEN = 0.02
+"""Metres of a body that a small picture shows."""
+
+
+def bake_for(resolved, viewing):
+    """The Baked of a measured material.
+
+    resolved  an addon.catalogue.resolving.Resolved with constants
+    viewing   options of addon.bake.reflected.Viewing
+    """
+    index, attenuation = found_in(resolved, viewing)
+    own = {name: value for name, value in resolved.preset.parameters.items() if name in Clear.__dataclass_fields__}
+    parameters = {"ior": min(max(index.d, 1.0), 10.0), "cauchy_b": index.b, "cauchy_c": index.c,
+                  "absorption": attenuation.sigma, **own}
+    return Baked(parameters, facts_of(resolved, viewing, index, attenuation))
+
+
+def found_in(resolved, viewing):
+    """(Index, Attenuation) of a measured material."""
+    stated = resolved.preset.parameters
+    index = index_of(resolved.constants, stated.get(ABBE))
+    k = _absorbing(resolved.constants, stated.get(K_FROM))
+    return index, CLEAR if k is None else attenuation_of(alpha_of(k), Viewing(**viewing))
+
+
+def _absorbing(constants, k_from):
+    """The OpticalConstants whose k is the body's, or None where none was measured or what was is no absorption."""
+    if k_from == "none":
+        return None
+    found = optical_constants.load(k_from) if k_from else constants
+    return found if found.has_k else None
+
+
+def facts_of(resolved, viewing, index, attenuation):
+    """All that was baked, ready for JSON."""
+    preset, constants = resolved.preset, resolved.constants
+    k = _absorbing(constants, preset.parameters.get(K_FROM))
+    return {
+        "name": preset.name, "title": preset.title, "kind": preset.kind,
+        "note": " ".join(filter(None, (preset.note, preset.estimated, _in_words(index, attenuation, k)))),
+        "ior": {"d": index.d, "cauchy": list(index.terms), "error_max": index.error_max},
+        "abbe": index.abbe,
+        "attenuation": {"sigma_per_m": list(attenuation.sigma), "colour": list(attenuation.colour),
+                        "distance_m": attenuation.distance, "delta_e_2000_max": attenuation.delta_e},
+        **viewing,
+        "source": {"dataset": constants.dataset, "k_dataset": k.dataset if k else "", "citation": constants.citation,
+                   "licence": constants.licence}}
+
+
+def _in_words(index, attenuation, k):
+    said = f"n_d {index.d:.4f}" + (f", V_d {index.abbe:.1f}" if index.abbe else ", no dispersion in the data")
+    if k is None:
+        return said + "; no absorption was measured."
+    if attenuation.distance is None:
+        return said + "; absorbs nothing that is seen."
+    return said + (f"; half the light is left after {attenuation.distance:.3g} m, colours over depth within CIEDE2000 "
+                   f"{attenuation.delta_e:.1f}.")
+
+
+def look(parameters):
+    """The Look of a Clear: what two centimetres let through."""
+    p = parameters
+    dyed = -np.log(np.maximum(p.depth_colour, 1e-6)) / p.depth
+    through = np.exp(-p.concentration * SEEN * (np.array(p.absorption) + dyed)) * np.array(p.tint)
+    f0 = float(dielectric(1.0, p.ior))
+    return Look(through, np.full(3, f0), f0, max(p.roughness**2, 0.001), through)

@@ -1,0 +1,57 @@
+"""The faces of a clear body as closures, shared by its groups."""
+
+from types import SimpleNamespace
+
+from ...operands import absolute, dot, maximum, widen
+from ...reflectance.transmission import cos_inside, slab_reflectance, slab_transmittance, straight_path, transmittance
+from .formulas import reflectance, relative_index, sigma_of
+
+__all__ = ["absorbed", "given", "sheet", "with_straight_shadows"]
+
+
+def given(builder, sockets):
+    """What every group works out first, by name: n, sigma, back, length, cos_theta, normal."""
+    with builder.frame("Place and path"):
+        back = builder.node("ShaderNodeNewGeometry", output="Backfacing")
+        length = builder.node("ShaderNodeLightPath", output="Ray Length")
+        cos_theta = absolute(dot(builder.node("ShaderNodeNewGeometry", output="Normal"), builder.incoming()))
+    return SimpleNamespace(
+        n=relative_index(sockets.ior, sockets.outside), back=back, length=length, cos_theta=cos_theta,
+        normal=builder.normal(sockets.normal),
+        sigma=sigma_of(sockets.absorption, sockets.depth_colour, sockets.depth, sockets.concentration,
+                       sockets.scene_scale))
+
+
+def absorbed(at):
+    """What is left of the light that came through the body to its back face; all of it at the front face."""
+    return transmittance(at.sigma, widen(at.back * at.length))
+
+
+def sheet(builder, sockets, at):
+    """The closure of a thin wall: both faces and the passages between them as one."""
+    thickness = sockets.thickness / sockets.scene_scale
+    n = maximum(at.n, 1.0 / at.n)
+    r = widen(reflectance(at.cos_theta, n, 0.0))
+    t = transmittance(at.sigma, widen(thickness / cos_inside(at.cos_theta, n)))
+    with builder.frame("Thin wall"):
+        through = builder.node("ShaderNodeBsdfTransparent", {"Color": slab_transmittance(r, t) * sockets.tint})
+        mirror = builder.node("ShaderNodeBsdfAnisotropic", {
+            "Color": slab_reflectance(r, t), "Roughness": sockets.roughness, "Normal": at.normal},
+            distribution="BECKMANN")
+        return builder.add_shaders(through, mirror)
+
+
+def with_straight_shadows(builder, sockets, at, closure):
+    """The closure, but for shadow and diffuse rays, which go straight on, dimmed by surface and body."""
+    with builder.frame("See-through shadows"):
+        shadow = builder.node("ShaderNodeLightPath", output="Is Shadow Ray")
+        diffuse = builder.node("ShaderNodeLightPath", output="Is Diffuse Ray")
+        left = widen(1.0 - reflectance(at.cos_theta, maximum(at.n, 1.0 / at.n), 0.0))
+        colour = straight_path(at.sigma, widen(at.length), widen(at.back)) * left
+        straight = builder.node("ShaderNodeBsdfTransparent", {"Color": colour * sockets.tint})
+        return mixed(builder, sockets.see_through * maximum(shadow, diffuse), closure, straight)
+
+
+def mixed(builder, share, closure, other):
+    """(1 − share) of a closure and share of another."""
+    return builder.node("ShaderNodeMixShader", {"Fac": share, "Shader": closure, "Shader_001": other})
