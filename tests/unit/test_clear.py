@@ -80,3 +80,8 @@ def test_other_programs_get_ior_volume_and_dispersion():
     assert np.allclose(sigma, record.parameters.absorption, rtol=1e-6)
     assert openpbr(record)["transmission_dispersion_abbe_number"] == pytest.approx(63.97, rel=1e-3)
     assert principled(record)["Transmission Weight"] == 1.0
+
+
+def test_a_medium_is_what_the_faces_are_against():
+    assert made(preset="window_glass", medium="water").parameters.outside == pytest.approx(1.333, abs=1e-3)
+    assert made(preset="window_glass").parameters.outside == 1.0

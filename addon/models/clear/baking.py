@@ -4,9 +4,10 @@ import numpy as np
 
 from ...bake.clear_absorption import CLEAR, alpha_of, attenuation_of
 from ...bake.clear_index import index_of
-from ...bake.reflected import Viewing
+from ...bake.reflected import Viewing, index_of_medium
 from ...reflectance.fresnel import dielectric
-from ...spectra import optical_constants
+from ...reflectance.transmission import LAMBDA_D
+from ...spectra import observers, optical_constants
 from ..model import Baked, Look
 from .parameters import Clear
 
@@ -28,8 +29,13 @@ def bake_for(resolved, viewing):
     index, attenuation = found_in(resolved, viewing)
     own = {name: value for name, value in resolved.preset.parameters.items() if name in Clear.__dataclass_fields__}
     parameters = {"ior": min(max(index.d, 1.0), 10.0), "cauchy_b": index.b, "cauchy_c": index.c,
-                  "absorption": attenuation.sigma, **own}
+                  "absorption": attenuation.sigma, "outside": _n_d(index_of_medium(Viewing(**viewing).medium)), **own}
     return Baked(parameters, facts_of(resolved, viewing, index, attenuation))
+
+
+def _n_d(n):
+    """At the d line, of one n or of n ``(421,)``."""
+    return float(np.interp(1e3 * LAMBDA_D, observers.WAVELENGTH_NM, np.broadcast_to(n, observers.WAVELENGTH_NM.shape)))
 
 
 def found_in(resolved, viewing):
