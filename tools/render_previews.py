@@ -23,7 +23,7 @@ from addon import api  # noqa: E402
 from addon.blender.datablocks.groups import all_groups, model_of_group, node_group  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
 from tools import preview_scene  # noqa: E402
-from tools.png_file import png_bytes  # noqa: E402
+from tools.png_file import indexed_png_bytes  # noqa: E402
 
 __all__ = ["FOLDER", "GROUP", "names"]
 
@@ -43,12 +43,6 @@ def names():
     return (*presets.names(), *groups, RAMP)
 
 
-LOST_BITS = 1
-"""Of eight a channel: no eye sees it, and the files shrink by a quarter."""
-CLEAR_LOST_BITS = 3
-"""The same where light passes through, whose pictures are full of detail."""
-
-
 def main(wanted):
     """Render each and say how long it took."""
     FOLDER.mkdir(exist_ok=True)
@@ -59,10 +53,8 @@ def main(wanted):
             start = time.perf_counter()
             material = _material(name)
             preview_scene.render(scene, ball, material, rendered)
-            seen_through = material.use_raytrace_refraction
             bpy.data.materials.remove(material)
-            coarse = _coarser(_pixels(rendered), CLEAR_LOST_BITS if seen_through else LOST_BITS)
-            (FOLDER / f"{name}.png").write_bytes(png_bytes(coarse))
+            (FOLDER / f"{name}.png").write_bytes(indexed_png_bytes(_pixels(rendered)))
             print(f"{name}: {time.perf_counter() - start:.1f} s", flush=True)
 
 
@@ -97,20 +89,14 @@ def _emitting(group, output):
 
 
 def _pixels(path):
-    """A PNG's pixels, 8 bits RGBA, top row first."""
+    """A PNG's pixels, 8 bits RGBA, top row first; nothing where nothing is seen."""
     image = bpy.data.images.load(str(path))
     width, height = image.size
     pixels = np.empty(width * height * 4, np.float32)
     image.pixels.foreach_get(pixels)
     bpy.data.images.remove(image)
-    return np.round(pixels * 255.0).astype(np.uint8).reshape(height, width, 4)[::-1]
-
-
-def _coarser(pixels, lost):
-    """Without the lowest bits of each colour; nothing where nothing is seen."""
-    colour = pixels[..., :3] >> lost << lost
-    colour = colour | colour >> 8 - lost  # white stays white
-    return np.concatenate([np.where(pixels[..., 3:] > 0, colour, 0), pixels[..., 3:]], axis=-1)
+    found = np.round(pixels * 255.0).astype(np.uint8).reshape(height, width, 4)[::-1]
+    return np.where(found[..., 3:] > 0, found, 0)
 
 
 if __name__ == "__main__":
