@@ -44,7 +44,7 @@ def of_preset(preset, record, index):
     if record is not None:
         named += [*names.material_names(preset.dataset), *preset.dataset.split("/")[1:]]
         others = [record[1], preset.note, index["citations"][record[2]]]
-    return found, index_line(named, others)
+    return found, index_line(named, others, [preset.name, preset.title, *preset.aliases])
 
 
 def of_dataset(record, index, values):

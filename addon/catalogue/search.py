@@ -83,17 +83,18 @@ def words_of(text):
     return WORD.findall(plain.lower())
 
 
-def index_line(named, others):
-    """A material's line of the index: the words of its names, then all its other words, each once.
+def index_line(named, others, whole=()):
+    """A material's line of the index: the words of its names, then its whole names, then all other words, each once.
 
-    named, others  texts
+    named, others, whole  texts
 
-    >>> index_line(["Copper", "Cu"], ["measured copper"])
-    ' copper cu | measured'
+    >>> index_line(["Red copper", "Cu"], ["measured copper"], ["Red copper"])
+    ' red copper cu | ;red copper; measured'
     """
+    names = "".join(f";{name}" for name in dict.fromkeys(" ".join(words_of(text)) for text in whole))
     of_names = dict.fromkeys(word for text in named for word in words_of(text))
     of_others = dict.fromkeys(word for text in others for word in words_of(text) if word not in of_names)
-    return f" {' '.join(of_names)} {END_OF_NAMES} {' '.join(of_others)}"
+    return f" {' '.join(of_names)} {END_OF_NAMES} {names + '; ' if names else ''}{' '.join(of_others)}"
 
 
 @functools.lru_cache(maxsize=1)
@@ -106,7 +107,8 @@ def _entries():
     kept = tables.lines("search", "words")
     known = set(tables.part("search", "presets")["names"])
     later = [preset for name, preset in all_presets().items() if name not in known]
-    lines = [index_line([p.name, p.title, p.kind, *p.aliases], [p.note, p.estimated]) for p in later]
+    lines = [index_line([p.name, p.title, p.kind, *p.aliases], [p.note, p.estimated], [p.name, p.title, *p.aliases])
+             for p in later]
 
     @functools.lru_cache(maxsize=512)
     def found(place):
@@ -130,16 +132,16 @@ def forget():
 
 
 def _fitting(words):
-    """Places of the materials that all words fit, best first."""
-    scores = []
+    """Places of the materials that all words fit, best first: what is called just so, then by how well each fits."""
+    scores, whole = [], f";{' '.join(words)};"
     for place, line in enumerate(_lines()):
         for word in words:
             if word not in line:
                 break
         else:
             names_text = line.partition(END_OF_NAMES)[0]
-            scores.append((-sum(_fit(word, names_text) for word in words), place))
-    return [place for _, place in sorted(scores)]
+            scores.append((whole not in line, -sum(_fit(word, names_text) for word in words), place))
+    return [place for *_, place in sorted(scores)]
 
 
 def _fit(word, names_text):
