@@ -173,8 +173,9 @@ def test_words_of_other_languages_are_found_and_what_is_not_there_is_not_made_up
 
 FIRST = {
     "gold": "gold", "silver": "silver", "copper": "copper", "glass": "window_glass", "window": "window_glass",
-    "water": "water", "ice": "ice", "diamond": "diamond", "sapphire": "sapphire", "acrylic": "acrylic", "vinyl": "vinyl",
-    "rubber": "rubber", "anodised titanium": "anodised_titanium", "anodized titanium": "anodised_titanium",
+    "water": "water", "ice": "ice", "diamond": "diamond", "sapphire": "sapphire", "acrylic": "acrylic",
+    "vinyl": "vinyl", "rubber": "rubber", "anodised titanium": "anodised_titanium",
+    "anodized titanium": "anodised_titanium",
     "soap bubble": "soap_bubble", "soap film": "soap_film", "oil slick": "petrol_on_water", "pearl": "mother_of_pearl",
     "heat tinted": "heat_tinted_steel", "blued steel": "heat_blued_steel", "金": "gold", "铜": "copper",
     "玻璃": "window_glass", "Kupfer": "copper", "Glas": "window_glass", "Wasser": "water"}
