@@ -83,5 +83,5 @@ def test_other_programs_get_ior_volume_and_dispersion():
 
 
 def test_a_medium_is_what_the_faces_are_against():
-    assert made(preset="window_glass", medium="water").parameters.outside == pytest.approx(1.333, abs=1e-3)
+    assert made(preset="window_glass", viewing={"medium": "water"}).parameters.outside == pytest.approx(1.333, abs=1e-3)
     assert made(preset="window_glass").parameters.outside == 1.0
