@@ -52,7 +52,9 @@ def test_materialx_validates(mx, name, space):
 
 
 def test_every_preset_validates(mx):
-    for preset in [preset for preset in presets.all_presets().values() if preset.measured][::10]:
+    offered = [preset for preset in presets.all_presets().values()
+               if preset.measured and "materialx" in named(preset.model).forms]
+    for preset in offered[::10]:
         validated(mx, exported(made(preset=preset.name), "materialx"))
 
 
