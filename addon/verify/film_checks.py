@@ -18,7 +18,7 @@ __all__ = ["checks"]
 MODEL = "film"
 SUNS = (30.0, 75.0)
 DIAMETER = np.radians(5.0)
-SIZES = {"fast": (48, 16, 1), "exact": (32, 2048, 4)}
+SIZES = {"fast": (48, 16, 1), "exact": (32, 4096, 4)}
 """Pixels of a sphere's side, samples of each, and pixels of a block's side whose mean is compared: noise is none of the
 formula's."""
 SHOWN, LEAST_N_V = 0.02, 0.15

@@ -41,9 +41,8 @@ def _checks_of(group, left_out):
     """A group's checks: of a model those of its own file, else those that any model has to pass."""
     name = f"{__package__}.{group}_checks"
     own = importlib.util.find_spec(name)
-    if group == DATA:
-        return importlib.import_module(name).checks([name for name in REALISATIONS if name not in left_out])
-    realisations = [name for name in models.named(group).realisations if name not in left_out]
+    model = models.named(models.DEFAULT if group == DATA else group)  # measured metals become the default's
+    realisations = [name for name in model.realisations if name not in left_out]
     if own is not None:
         return importlib.import_module(name).checks(realisations)
     from . import any_model
