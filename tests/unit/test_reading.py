@@ -211,8 +211,9 @@ def test_a_bake_of_ones_own_data_is_that_of_the_database():
     text = "".join(f"{w!r},{n!r},{k!r}\n" for w, n, k in zip(
         *(column.tolist() for column in (constants.wavelength_nm, constants.n, constants.k))))
     own, theirs = bake(read_text(text)), bake("main/Au/Babar")
-    assert own.f0 == theirs.f0 and own.fresnel == theirs.fresnel and own.conductor.formula == theirs.conductor.formula
-    cos_theta = np.linspace(0.05, 1.0, 20)[:, None]  # n of a near perfect mirror hangs on the last bit: what it reflects
+    assert own.f0 == theirs.f0 and own.fresnel == theirs.fresnel
+    assert own.conductor.formula == theirs.conductor.formula
+    cos_theta = np.linspace(0.05, 1.0, 20)[:, None]  # n of a near perfect mirror hangs on the last bit: compare light
     reflected = [fresnel.conductor(cos_theta, np.array(one.conductor.n), np.array(one.conductor.k))
                  for one in (own, theirs)]
     assert reflected[0] == pytest.approx(reflected[1], abs=1e-6)
