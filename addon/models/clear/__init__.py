@@ -56,6 +56,7 @@ MODEL = Model(
     bake=_bake,
     look=_look,
     baked_names=("ior", "cauchy_b", "cauchy_c", "absorption"),
+    follows={"outside": "medium"},
     forms={"json": Form("JSON", "Everything that was baked", ".json")},
     write_form=_write_form,
     swatch=_swatch,
