@@ -32,6 +32,7 @@ class Preset:
     note         where the parameters are from
     estimated    what of it is no measurement, and from what it was guessed; "" where all is measured
     parameters   {name: value} of the model's, where they are not its defaults, as the model's folder reads them
+    realisation  the one that it is made by where none is named; "" for the usual one
     """
 
     name: str
@@ -47,6 +48,7 @@ class Preset:
     note: str = ""
     estimated: str = ""
     parameters: Mapping[str, Any] = dataclasses.field(default_factory=dict)
+    realisation: str = ""
 
     @property
     def measured(self):

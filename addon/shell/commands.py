@@ -4,9 +4,11 @@ from ..errors import FacetFilmError, number
 from ..export import json_text
 from . import text as shown
 
-__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "verify_command",
-           "ways_command"]
+__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "swatch_command",
+           "verify_command", "ways_command"]
 
+SHOWN_COLOURS = 9
+"""Of a strip, in a table or JSON."""
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
 
 
@@ -82,6 +84,27 @@ def _made(options, resolved):
     if not options.json:
         return shown.record(record)
     return _json(record.baked if record.measured else record.to_dict())
+
+
+def swatch_command(options):
+    """A material's colours over what they depend on, as a table, JSON or a picture."""
+    from ..catalogue.resolving import resolve
+    from ..export import swatch_picture, write_bytes
+    from ..models import named
+    from ..models.making import made
+    record = made(preset=resolve(options.material, options.choose), viewing=_given(options, *VIEWING))
+    draw = named(record.model).swatch
+    if draw is None:
+        raise FacetFilmError("{material} is no measurement, and its colours depend on the place as well: a strip of "
+                             "them would say nothing.", material=record.title)
+    swatch = draw(record, swatch_picture.COLUMNS if options.output else SHOWN_COLOURS)
+    if options.output:
+        return "Wrote " + write_bytes(options.output, swatch_picture.swatch_png(swatch, options.space))
+    colours = swatch_picture.swatch_hex(swatch, options.space)
+    if options.json:
+        return _json({"title": record.title, "over": swatch.over, "unit": swatch.unit, "places": swatch.places.tolist(),
+                      "rgb": swatch.rgb.tolist(), "space": options.space, "srgb": colours})
+    return shown.swatch(record.title, swatch, colours)
 
 
 def search_command(options):
