@@ -25,8 +25,8 @@ SHORTEST_INSIDE = 3
 SHORTEST_TAG = 4
 NEAREST = 8
 """How many are given where nothing fits."""
-SHORTEST_GUESSED, MUCH_ALIKE = 5, 0.88
-"""Of words that are read as others: how long, and how alike, 1 being the same."""
+SHORTEST_GUESSED = 5
+"""Letters of a word that may be read as another."""
 
 
 class Found(NamedTuple):
@@ -245,16 +245,13 @@ def _cited(words, limit):
     typed = [*(f" {word} " for word in words[:-1]), f" {words[-1]}"]  # the last one may be half typed
     presets = [place for place, line in enumerate(_notes()) if all(word in line for word in typed)]
     cited = []
-    if all(word in _all_of_measurements() for word in typed):
-        both = zip(tables.lines("search", "names"), tables.lines("search", "rest"))
-        cited = [place for place, lines in enumerate(both) if all(word in lines[0] or word in lines[1] for word in typed)]
+    for place, (names, rest) in enumerate(zip(tables.lines("search", "names"), tables.lines("search", "rest"))):
+        for word in typed:
+            if word not in names and word not in rest:
+                break
+        else:
+            cited.append(place)
     return (*_presets(presets, limit), *map(_measurement, cited[:limit]))[:limit]
-
-
-@functools.lru_cache(maxsize=1)
-def _all_of_measurements():
-    """All words of all datasets as one text, in which most words that are nowhere are missed at once."""
-    return "".join((*tables.lines("search", "names"), *tables.lines("search", "rest")))
 
 
 # --- What is not there ---
@@ -271,16 +268,24 @@ def _nearest(text, words):
 
 @functools.lru_cache(maxsize=1)
 def _vocabulary():
-    """All words of more than three letters that names have."""
-    text = " ".join((*_lines(), *tables.lines("search", "names"))).replace(";", " ")
-    return {word for word in text.split() if len(word) > 3}
+    """The words of names, those of presets first."""
+    return dict.fromkeys(" ".join((*_lines(), *tables.lines("search", "names"))).replace(";", " ").split())
 
 
 def _alike(word):
-    """The nearest word that is part of a name; the word itself where it is one, or short, as formulas are."""
+    """The word itself where it is part of a name, or short, as formulas are; else one that it is a slip away from."""
     if len(word) < SHORTEST_GUESSED or word in _vocabulary():
         return word
-    import difflib  # for a misspelt word alone
-    near = sorted(one for one in _vocabulary()
-                  if 2.0 * min(len(one), len(word)) >= MUCH_ALIKE * (len(one) + len(word)))  # else they can't be
-    return (difflib.get_close_matches(word, near, 1, MUCH_ALIKE) or [word])[0]
+    return next((one for one in _vocabulary() if abs(len(one) - len(word)) <= 1 and _is_slip(word, one)), word)
+
+
+def _is_slip(typed, meant):
+    """Whether one letter is missing, too many, another, or two neighbours are swapped.
+
+    >>> [_is_slip(typed, "tungsten") for typed in ("tungstn", "tunggsten", "tungsdten", "tugnsten", "tunxsten", "tin")]
+    [True, True, True, True, True, False]
+    """
+    place = next((i for i, (a, b) in enumerate(zip(typed, meant)) if a != b), min(len(typed), len(meant)))
+    typed, meant = typed[place:], meant[place:]
+    return (typed[1:] in (meant, meant[1:]) or typed == meant[1:]
+            or (typed[:2] == meant[:2][::-1] and typed[2:] == meant[2:]))
