@@ -333,6 +333,8 @@ TEXTS = {
         "测量",
     "Metals":
         "金属",
+    "Minerals and Ceramics":
+        "矿物与陶瓷",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
     "Native closures from an OSL script: needs Open Shading Language switched on":

@@ -336,6 +336,8 @@ TEXTS = {
         "Messung",
     "Metals":
         "Metalle",
+    "Minerals and Ceramics":
+        "Minerale und Keramik",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Native closures from an OSL script: needs Open Shading Language switched on":
