@@ -8,6 +8,8 @@ __all__ = ["bake_command", "check_command", "list_command", "search_command", "s
            "ways_command"]
 
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
+SURFACE = ("roughness", "tint", "anisotropy", "rotation")
+FORMS = ("json", "csv", "spectrum_csv", "materialx")
 
 
 def _given(options, *names):
@@ -38,10 +40,22 @@ def bake_command(options):
     from ..catalogue.resolving import resolve
     from ..export import write_text
     resolved = resolve(options.material, options.choose)
-    written = _form(options, resolved) if resolved.constants is not None else _unmeasured(options, resolved)
+    surface = _given(options, *SURFACE)
+    if resolved.constants is None:
+        written = _unmeasured(options, resolved, surface)
+    else:
+        written = _with_surface(options, resolved, surface) if surface else _form(options, resolved)
     if options.output is None:
         return written
     return "Wrote " + write_text(options.output, written + "\n")
+
+
+def _with_surface(options, resolved, surface):
+    """A measured material whose surface is said as well, in the form that was asked for."""
+    from ..models.making import exported, made
+    record = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING), **surface)
+    form = next((form for form in FORMS if getattr(options, form)), None)
+    return exported(record, form).rstrip() if form else shown.record(record)
 
 
 def _form(options, resolved):
@@ -57,18 +71,19 @@ def _form(options, resolved):
         from ..models import DEFAULT, named
         return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
     if options.materialx:
+        from ..models.cook_torrance.forms import shape
         from ..models.making import made
-        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
-        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse).rstrip()
+        record = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING))
+        return export.materialx(baked, **shape(record.parameters)).rstrip()
     return shown.baked(baked)
 
 
-def _unmeasured(options, resolved):
+def _unmeasured(options, resolved, surface):
     """What was baked of a preset that is more than one measurement; the parameters of one that was not measured."""
     from ..models import named
     from ..models.making import exported, made
     if resolved.preset.model and named(resolved.preset.model).picture:
-        record = made(preset=resolved, viewing=_given(options, *VIEWING))
+        record = made(preset=resolved, viewing=_given(options, *VIEWING), **surface)
         form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
         if form:
             return exported(record, form).rstrip()
@@ -76,7 +91,7 @@ def _unmeasured(options, resolved):
     if options.csv or options.spectrum_csv or options.materialx:
         raise FacetFilmError("{preset} was not measured: it has parameters and no curve. Leave the form out, or take "
                              "--json.", preset=resolved.preset.title)
-    record = made(preset=resolved)
+    record = made(preset=resolved, **surface)
     return _json(record.to_dict()) if options.json else shown.record(record)
 
 

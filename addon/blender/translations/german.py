@@ -54,6 +54,8 @@ TEXTS = {
         "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
     "Alloys":
         "Legierungen",
+    "Anisotropy":
+        "Anisotropie",
     "Another Version":
         "Andere Version",
     "Apply":
@@ -334,6 +336,8 @@ TEXTS = {
         "Messung",
     "Metals":
         "Metalle",
+    "Model":
+        "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -427,6 +431,8 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Rotation":
+        "Drehung",
     "Roughness":
         "Rauheit",
     "Rows":
@@ -461,14 +467,14 @@ TEXTS = {
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
-    "Slope 1":
-        "Steigung 1",
-    "Slope 2":
-        "Steigung 2",
-    "Slope 3":
-        "Steigung 3",
-    "Slope 4":
-        "Steigung 4",
+    "Slope Ratio 2":
+        "Steigungsverhältnis 2",
+    "Slope Ratio 3":
+        "Steigungsverhältnis 3",
+    "Slope Ratio 4":
+        "Steigungsverhältnis 4",
+    "Slopes":
+        "Steigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Specular":
@@ -483,6 +489,8 @@ TEXTS = {
         "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
+    "Table":
+        "Tabelle",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
