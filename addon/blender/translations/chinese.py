@@ -351,14 +351,16 @@ TEXTS = {
         "法线",
     "OSL Fast":
         "OSL 快速",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
+    "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
+        "OSL 需要 CPU 或 OptiX：在此设备上将显示“{:s}”",
     "Observer":
         "观察者",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
         "当文件包含多项内容或有多种含义时：选择哪一项。含义明确时留空",
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "{word!r} 只有正入射反射率，而层堆需要 n 和 k；请选择另一个数据集。",
+    "Open Shading Language is off: {:s} is shown in its place until you switch it on in the Render properties":
+        "开放着色语言未启用：在渲染属性中启用之前，将显示“{:s}”",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -572,8 +574,6 @@ TEXTS = {
         "此文件没有带测量数据的材质：请先烘焙预设",
     "This file is no preset of Facet & Film.":
         "此文件不是 Facet & Film 的预设。",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Time":
         "时间",
     "Tint":

@@ -354,8 +354,8 @@ TEXTS = {
         "Normale",
     "OSL Fast":
         "OSL schnell",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
+    "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
+        "OSL braucht die CPU oder OptiX: auf diesem Gerät wird stattdessen {:s} gezeigt",
     "Observer":
         "Beobachter",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
@@ -363,6 +363,8 @@ TEXTS = {
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; anderen "
         "Datensatz wählen.",
+    "Open Shading Language is off: {:s} is shown in its place until you switch it on in the Render properties":
+        "Open Shading Language ist aus: {:s} wird stattdessen gezeigt, bis es in den Render-Eigenschaften eingeschaltet wird",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -577,8 +579,6 @@ TEXTS = {
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Time":
         "Zeit",
     "Tint":

@@ -57,9 +57,10 @@ MODEL = Model(
         Group("cook_torrance_exact", "Cook-Torrance Exact", 1, "exact.build",
               "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device",
               stand_in="cook_torrance_fast"),
-        Group("cook_torrance_osl", "Cook-Torrance OSL", 2, "osl.build",
-              "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast", osl=True),
-        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 2, "osl.build_fast",
+        Group("cook_torrance_osl", "Cook-Torrance OSL", 3, "osl.build",
+              "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast",
+              osl=True),
+        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 3, "osl.build_fast",
               "Native closures from an OSL script", stand_in="cook_torrance_fast", osl=True, in_menu=False),
     ),
     realisations={
