@@ -49,15 +49,10 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
     preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters
                  alone
-<<<<<<< HEAD
-    realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL)
-                 or "osl_fast" (closures, by OSL); where Open Shading Language is off, a material by OSL shows
-                 "exact" or "fast" instead, and a warning says so
-=======
     realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL),
                  "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of the rainbow);
-                 by default the one that the preset is meant for, else "fast"
->>>>>>> main
+                 by default the one that the preset is meant for, else "fast".  Where Open Shading Language is off,
+                 a material by OSL shows "exact" or "fast" instead, and a warning says so
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
