@@ -21,27 +21,33 @@ class Preset:
     title        what people call it
     kind         one of addon.catalogue.kinds.KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of`
                  says
+    category     one of addon.catalogue.categories.CATEGORIES: what it looks like; "" for a dataset or file
     model        the model that it is a material of; "" for a dataset or file, which any that takes a measurement may be
     dataset      "shelf/book/page" that it was measured as, or "" where there is none
     index        in place of a dataset: ((wavelength in nm, n, k), …)
     reflectance  in place of a dataset: ((wavelength in nm, normal reflectance), …), k = 0
     aliases      other names
+    variant_of   name of the preset that it looks nearly like, under which lists show it; "" for one of its own
     note         where the parameters are from
     estimated    what of it is no measurement, and from what it was guessed; "" where all is measured
     parameters   {name: value} of the model's, where they are not its defaults, as the model's folder reads them
+    realisation  the one that it is made by where none is named; "" for the usual one
     """
 
     name: str
     title: str
     kind: str
+    category: str = ""
     model: str = ""
     dataset: str = ""
     index: tuple = ()
     reflectance: tuple = ()
     aliases: tuple[str, ...] = ()
+    variant_of: str = ""
     note: str = ""
     estimated: str = ""
     parameters: Mapping[str, Any] = dataclasses.field(default_factory=dict)
+    realisation: str = ""
 
     @property
     def measured(self):

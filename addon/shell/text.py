@@ -1,6 +1,6 @@
 """What the shell's commands print for people."""
 
-__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "record", "spread", "ways"]
+__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "record", "spread", "swatch", "ways"]
 
 SHOWN_DEGREES = (0, 30, 60, 75, 80, 85, 89)
 CHANNELS = ("red", "green", "blue")
@@ -104,6 +104,16 @@ def checked(check):
         f"  CIEDE2000 {check.delta_e_2000_normal:.2f} at 0°, at most {check.delta_e_2000_max:.2f} "
         f"(at {check.at_degrees:.0f}°)",
         "  curve", columns(curve, "    ")])
+
+
+def swatch(title, strip, colours):
+    """Colours face on, a line a place.
+
+    strip    an addon.models.model.Swatch
+    colours  each place's #rrggbb
+    """
+    rows = [(f"{place:.3g} {strip.unit}", colour) for place, colour in zip(strip.places, colours)]
+    return "\n".join([f"{title} over {strip.over}", columns(rows, "  ")])
 
 
 def spread(found):

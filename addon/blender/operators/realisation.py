@@ -21,7 +21,7 @@ class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
     bl_label = "Switch Realisation"
     bl_options = {"REGISTER", "UNDO"}
 
-    realisation: realisation_property()
+    realisation: realisation_property(usual=False)
 
     @classmethod
     def poll(cls, context):

@@ -224,6 +224,8 @@ TEXTS = {
         "F82 色调",
     "Fast":
         "快速",
+    "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "快速；对钻石、铅水晶等以彩虹色散著称的材质用色散",
     "File":
         "文件",
     "File of optical constants":
@@ -592,6 +594,8 @@ TEXTS = {
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Update Materials":
         "更新材质",
+    "Usual":
+        "常用",
     "Vector":
         "矢量",
     "Verify Against the Formulas":

@@ -229,6 +229,8 @@ TEXTS = {
         "F82-Tönung",
     "Fast":
         "Schnell",
+    "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "Schnell; Dispersiv bei Diamant, Bleikristall und was sonst durch seinen Regenbogen bekannt ist",
     "File":
         "Datei",
     "File of optical constants":
@@ -600,6 +602,8 @@ TEXTS = {
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Update Materials":
         "Materialien aktualisieren",
+    "Usual":
+        "Üblich",
     "Vector":
         "Vektor",
     "Verify Against the Formulas":
