@@ -98,7 +98,7 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
 def rebake(material: bpy.types.Material, viewing: Mapping[str, Any] | None = None) -> None:
     """Bake the measurement of one of our materials again; what the user set beside it stays.
 
-    viewing  options of :func:`bake`; by default those it was baked with
+    viewing  options of :func:`bake`; by default those it was baked with, in the file's scene-linear space
 
     Raises FacetFilmError for a material without a measurement, or a linked one.
     """

@@ -166,7 +166,8 @@ class Standing:
 
     def __init__(self):
         self.reports = []
-        for name, value in vars(rebake_all_operator.FACET_FILM_OT_rebake_all).items():
+        held = {**vars(rebake_all_operator.OneByOne), **vars(rebake_all_operator.FACET_FILM_OT_rebake_all)}
+        for name, value in held.items():
             if callable(value) and not name.startswith("__"):
                 setattr(self, name, value.__get__(self))
 

@@ -41,6 +41,11 @@ def _principled(record):
     return principled(record)
 
 
+def _respaced(parameters, changed, before, after):
+    from .baking import respaced
+    return respaced(parameters, changed, before, after)
+
+
 def _as_baked(parameters, facts):
     """Whether n and k are still those that were fitted."""
     found, baked = (*parameters.n, *parameters.k), (*facts["conductor"]["n"], *facts["conductor"]["k"])
@@ -80,6 +85,7 @@ MODEL = Model(
     look=_look,
     as_baked=_as_baked,
     baked_names=("n", "k", "diffuse"),
+    respaced=_respaced,
     forms={
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
