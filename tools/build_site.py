@@ -76,10 +76,10 @@ def rows(one):
         of_space = {**numbers, **numbers.get("conductor", {})}
         found += [(f"{title}, linear {space}", row_of(of_space[name])) for name, title in TITLES.items()
                   if name in of_space]
-        attenuation = numbers.get("attenuation")
-        if attenuation and attenuation["distance_m"]:
-            found += [(f"Absorption σ in 1/m, linear {space}", row_of(attenuation["sigma_per_m"])),
-                      (f"Colour after {attenuation['distance_m']:.4g} m, linear {space}", row_of(attenuation["colour"]))]
+        body = numbers.get("attenuation")
+        if body and body["distance_m"]:
+            found += [(f"Absorption σ in 1/m, linear {space}", row_of(body["sigma_per_m"])),
+                      (f"Colour after {body['distance_m']:.4g} m, linear {space}", row_of(body["colour"]))]
     numbers = next(iter(one["spaces"].values()), {})
     found += [(title, row_of(value)) for title, value in (
         ("IOR", numbers.get("ior", {}).get("d")), ("Abbe number", numbers.get("abbe"))) if value]

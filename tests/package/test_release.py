@@ -1,4 +1,4 @@
-"""What a release holds: the index that Blender's repositories read, notes, checksums; and that one can install from it."""
+"""What a release holds: the index that Blender's repositories read, notes, checksums; one can install from it."""
 
 import hashlib
 import json

@@ -34,8 +34,9 @@ def type_in(browser, words):
     field.send_keys(words)
 
 
-@pytest.mark.parametrize("words, title", [("gold", "Gold"), ("Kupfer", "Copper"), ("anodized tita", "Anodised titanium"),
-                                          ("铜", "Copper"), ("window", "Soda-lime glass, clear")])
+@pytest.mark.parametrize("words, title", [
+    ("gold", "Gold"), ("Kupfer", "Copper"), ("anodized tita", "Anodised titanium"), ("铜", "Copper"),
+    ("window", "Soda-lime glass, clear")])
 def test_the_search_finds_by_every_name(catalogue, words, title):
     type_in(catalogue, words)
     assert title in titles_shown(catalogue) and len(titles_shown(catalogue)) < 3
