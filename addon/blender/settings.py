@@ -10,6 +10,7 @@ from .panels import picker
 __all__ = ["CLASSES", "Viewing", "attach", "copy_viewing", "detach", "preset_property", "realisation_property",
            "search_presets", "viewing_of"]
 
+USUAL_ITEM = ("usual", "Usual", "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow")
 REALISATION_ITEMS = [(name, found.title, found.tip) for name, found in REALISATIONS.items()]
 OBSERVER_ITEMS = (
     ("1931", "CIE 1931, 2°", "Small fields of view; what displays are calibrated for"),
@@ -50,10 +51,11 @@ def preset_property():
         description="Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search")
 
 
-def realisation_property():
-    """The choice of how the formula becomes a material."""
+def realisation_property(*, usual=True):
+    """The choice of how the formula becomes a material; first the one that the material is meant for."""
     return bpy.props.EnumProperty(
-        name="Realisation", items=REALISATION_ITEMS, description="How the formula becomes a Cycles material")
+        name="Realisation", items=[USUAL_ITEM] * usual + REALISATION_ITEMS,
+        description="How the formula becomes a Cycles material")
 
 
 @functools.lru_cache(maxsize=1)

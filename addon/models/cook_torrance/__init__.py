@@ -31,9 +31,19 @@ def _write_form(form, record):
     return write_form(form, record)
 
 
+def _swatch(record, columns):
+    from .swatch import swatch
+    return swatch(record, columns)
+
+
 def _principled(record):
     from .forms import principled
     return principled(record)
+
+
+def _respaced(parameters, changed, before, after):
+    from .baking import respaced
+    return respaced(parameters, changed, before, after)
 
 
 def _as_baked(parameters, facts):
@@ -58,7 +68,8 @@ MODEL = Model(
               "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device",
               stand_in="cook_torrance_fast"),
         Group("cook_torrance_osl", "Cook-Torrance OSL", 3, "osl.build",
-              "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast", osl=True),
+              "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast",
+              osl=True),
         Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 3, "osl.build_fast",
               "Native closures from an OSL script", stand_in="cook_torrance_fast", osl=True, in_menu=False),
     ),
@@ -74,6 +85,7 @@ MODEL = Model(
     look=_look,
     as_baked=_as_baked,
     baked_names=("n", "k", "diffuse"),
+    respaced=_respaced,
     forms={
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
@@ -81,6 +93,7 @@ MODEL = Model(
         "materialx": Form("MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
     },
     write_form=_write_form,
+    swatch=_swatch,
     principled=_principled,
     measured=True,
 )
