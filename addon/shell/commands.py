@@ -71,10 +71,10 @@ def _form(options, resolved):
         from ..models import DEFAULT, named
         return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
     if options.materialx:
-        from ..models.cook_torrance.forms import shape
         from ..models.making import made
-        record = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING))
-        return export.materialx(baked, **shape(record.parameters)).rstrip()
+        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
+        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse,
+                                anisotropy=p.anisotropy, rotation=p.rotation).rstrip()
     return shown.baked(baked)
 
 
