@@ -190,6 +190,8 @@ TEXTS = {
         "漫射颜色",
     "Dispersion":
         "色散",
+    "Dispersion Curve":
+        "色散曲线",
     "Dispersive":
         "色散",
     "Does this Blender render the published formulas? Find out on this machine:":
