@@ -100,7 +100,7 @@ def row(preset, bake, surface, citations):
 
 def picture(name):
     """The preset's thumbnail, seen from docs/."""
-    return f'<img src="../addon/thumbnails/{name}.png" width="40" alt="{name}">'
+    return f'<img src="../addon/thumbnails/{name}.webp" width="40" alt="{name}">'
 
 
 def numbers(values, digits):
