@@ -1,15 +1,15 @@
-"""Pictures as PNG files, written with numpy and zlib alone."""
+"""A picture as a PNG file, written with numpy and zlib alone."""
 
 import struct
 import zlib
 
 import numpy as np
 
-__all__ = ["png", "srgb"]
+__all__ = ["png"]
 
 
 def png(pixels):
-    """The bytes of a PNG file of (rows from the top, columns, 3) of uint8.
+    """The bytes of a PNG file (PNG specification, W3C 2003) of pixels ``(rows from the top, columns, 3)`` of uint8.
 
     >>> png(np.zeros((2, 2, 3), np.uint8))[:4]
     b'\\x89PNG'
@@ -21,14 +21,3 @@ def png(pixels):
     return b"\x89PNG\r\n\x1a\n" + b"".join(
         struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
         for kind, data in chunks)
-
-
-def srgb(linear):
-    """Linear RGB as the 8 bits of sRGB, ``(...)`` uint8.
-
-    >>> srgb(np.array([0.0, 0.5, 2.0])).tolist()
-    [0, 188, 255]
-    """
-    linear = np.clip(np.nan_to_num(linear), 0.0, 1.0)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
-    return (encoded * 255.0 + 0.5).astype(np.uint8)

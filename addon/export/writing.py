@@ -9,7 +9,7 @@ __all__ = ["write_bytes", "write_text"]
 
 
 def write_text(path, content):
-    """Write UTF-8 text, as :func:`write_bytes` does."""
+    """Write UTF-8 text as :func:`write_bytes` writes."""
     return write_bytes(path, content.encode("utf-8"))
 
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from ..export.png import png, srgb
+from ..bake.srgb import bytes_of
+from ..export.png import png
 from .ball import LAST, displayed
 
 __all__ = ["picture", "picture_pixels"]
@@ -14,7 +15,7 @@ FILLED = 0.98
 
 def picture(fit, size=256):
     """The bytes of a PNG file of a Fit, balls of `size` pixels."""
-    return png(srgb(picture_pixels(fit, size)))
+    return png(bytes_of(picture_pixels(fit, size)))
 
 
 def picture_pixels(fit, size):

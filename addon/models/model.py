@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from .parameters import Checked, read, sockets_of, written
 
-__all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Picture", "Renderer"]
+__all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Picture", "Renderer", "Swatch"]
 
 
 class Renderer(NamedTuple):
@@ -106,6 +106,22 @@ class Look(NamedTuple):
     diffuse: object
 
 
+class Swatch(NamedTuple):
+    """Colours of a material over what they depend on, as a strip.
+
+    over    what that is: "angle", "thickness" or "depth"
+    unit    of it, as people read it
+    places  the values, ``(columns,)``
+    rgb     linear RGB in the material's working space, ``(rows, columns, 3)``; of several rows the lower are seen at
+            a more grazing angle
+    """
+
+    over: str
+    unit: str
+    places: object
+    rgb: object
+
+
 class Form(NamedTuple):
     """A form that a material leaves in: its title, what it holds, and the file's ending."""
 
@@ -137,6 +153,7 @@ class Model:
     read_feed     function({group's id: ({socket: value}, outputs that are linked)}) -> {parameter's name: value}
     forms         {name: Form} that :func:`write_form` knows
     write_form    function(form, Record) -> text
+    swatch        function(Record, columns) -> Swatch, or None where its colours depend on nothing that a strip shows
     principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
     measured      whether a measurement that is no preset can become a material of it
     refracts     whether light passes through its materials, which EEVEE has to be told
@@ -162,6 +179,7 @@ class Model:
     read_feed: Callable = lambda fed: {}
     forms: Mapping[str, Form] = dataclasses.field(default_factory=dict)
     write_form: Callable | None = None
+    swatch: Callable | None = None
     principled: Callable | None = None
     measured: bool = False
     refracts: bool = False

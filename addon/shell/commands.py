@@ -5,8 +5,10 @@ from ..export import json_text
 from . import text as shown
 
 __all__ = ["bake_command", "check_command", "fit_command", "list_command", "search_command", "spread_command",
-           "verify_command", "ways_command"]
+           "swatch_command", "verify_command", "ways_command"]
 
+SHOWN_COLOURS = 9
+"""Of a strip, in a table or JSON."""
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
 
 
@@ -84,18 +86,40 @@ def _made(options, resolved):
     return _json(record.baked if record.measured else record.to_dict())
 
 
+def swatch_command(options):
+    """A material's colours over what they depend on, as a table, JSON or a picture."""
+    from ..catalogue.resolving import resolve
+    from ..export import swatch_picture, write_bytes
+    from ..models import named
+    from ..models.making import made
+    record = made(preset=resolve(options.material, options.choose), viewing=_given(options, *VIEWING))
+    draw = named(record.model).swatch
+    if draw is None:
+        raise FacetFilmError("{material} is no measurement, and its colours depend on the place as well: a strip of "
+                             "them would say nothing.", material=record.title)
+    swatch = draw(record, swatch_picture.COLUMNS if options.output else SHOWN_COLOURS)
+    if options.output:
+        return "Wrote " + write_bytes(options.output, swatch_picture.swatch_png(swatch, options.space))
+    colours = swatch_picture.swatch_hex(swatch, options.space)
+    if options.json:
+        return _json({"title": record.title, "over": swatch.over, "unit": swatch.unit, "places": swatch.places.tolist(),
+                      "rgb": swatch.rgb.tolist(), "space": options.space, "srgb": colours})
+    return shown.swatch(record.title, swatch, colours)
+
+
 def search_command(options):
     """The materials that fit some words."""
-    from ..catalogue.search import search
+    from ..catalogue.search import look_up
     number("--limit", options.limit, 1)
     words = " ".join(options.text)
-    found = search(words, options.limit)
+    found = look_up(words, options.limit)
+    entries = [*found.materials, *found.measurements][:options.limit]
     if options.json:
-        return _json([vars(entry) for entry in found])
-    if not found:
+        return _json([entry._asdict() for entry in entries])
+    if not entries:
         raise FacetFilmError(
             f"Nothing fits {words!r}; try a material, an author or a formula, such as 'gold babar'.")
-    return shown.found(found)
+    return shown.found(found, options.limit)
 
 
 def check_command(options):

@@ -1,12 +1,13 @@
-"""Pictures for the report as PNG files within the page."""
+"""Pictures for the report as PNG files within the page, written with numpy and zlib alone."""
 
 import base64
 
 import numpy as np
 
-from ..export.png import png, srgb
+from ..bake.srgb import bytes_of
+from ..export.png import png
 
-__all__ = ["strip", "data_url"]
+__all__ = ["data_url", "strip"]
 
 HEIGHT = 96
 GAP = 4
@@ -20,7 +21,7 @@ def strip(picture):
     """
     white = max(float(np.quantile(picture.reference.max(axis=-1), 0.99)), 1e-6)
     difference = np.abs(picture.render - picture.reference) * picture.times
-    parts = [_enlarged(srgb(part / white)[::-1]) for part in (picture.reference, picture.render, difference)]
+    parts = [_enlarged(bytes_of(part[::-1] / white)) for part in (picture.reference, picture.render, difference)]
     # Wide pictures, rows of tiles, stand above each other, and square ones side by side.
     axis = 0 if parts[0].shape[1] > 2 * parts[0].shape[0] else 1
     shape = list(parts[0].shape)
