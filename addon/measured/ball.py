@@ -14,7 +14,7 @@ import numpy as np
 from ..bake.colour import delta_e_2000, lab
 from .lights import LIGHTS
 
-__all__ = ["Ball", "ball", "displayed", "exposure_of"]
+__all__ = ["LUMINANCE", "Ball", "ball", "displayed", "exposure_of"]
 
 LAST = np.radians(84.0)
 """The outermost ring."""

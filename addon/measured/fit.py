@@ -8,6 +8,7 @@ import numpy as np
 
 from ..bake.colour import lab
 from ..catalogue.presets import Preset
+from ..models.fitted import UP
 from ..models.making import ANY_RENDERER, made
 from .ball import displayed, exposure_of
 from .lights import HELD_OUT
@@ -103,26 +104,33 @@ class Fit:
 
 def report_of(measurement, form, p, brdf, ball, tried):
     """The Fit of a Form's numbers, held against a BRDF on a ball under the surrounding that was not fitted to."""
-    measured, fitted = ball.of_brdf(brdf), form.evaluate(p, ball.v, ball.l)
+    parameters = form.final(p)
+    measured, fitted = ball.of_brdf(brdf), form.model.evaluate(parameters, UP, ball.v, ball.l)
     difference = ball.differences(measured, fitted, HELD_OUT)
     images = [ball.image(HELD_OUT, f) for f in (measured, fitted)]
     exposure = exposure_of(ball, images[0])
     exposed = tuple(image * exposure for image in images)
     by_ring = difference.mean(axis=1)
     worst = int(np.argmax(by_ring))
-    mean = float(ball.mean(difference))
+    mean = _kept(ball.mean(difference))
     reason = REASONS[_cause(ball, difference, exposed)] if mean > POOR else ""
     return Fit(
-        measurement.name, measurement.title, measurement.form, form.model, form.name, form.checked(p), mean,
-        _percentile(difference, ball.area), float(np.degrees(ball.theta[worst])), float(by_ring[worst]),
-        len(measurement.samples.v), measurement.rejected, reason, tried, measurement.notes, exposed)
+        measurement.name, measurement.title, measurement.form, form.model.name, form.name, parameters, mean,
+        _percentile(difference, ball.area), _kept(np.degrees(ball.theta[worst])), _kept(by_ring[worst]),
+        len(measurement.samples.v), measurement.rejected, reason, {name: _kept(x) for name, x in tried.items()},
+        measurement.notes, exposed)
+
+
+def _kept(x):
+    """Four decimals: the last bits hang on the machine."""
+    return round(float(x), 4)
 
 
 def _percentile(values, area, share=0.95):
     """What a share of the area is below."""
     order = np.argsort(values, axis=None)
     place = np.searchsorted(np.cumsum(area.ravel()[order]), share)
-    return float(values.ravel()[order][min(place, values.size - 1)])
+    return _kept(values.ravel()[order][min(place, values.size - 1)])
 
 
 def _cause(ball, difference, exposed):

@@ -10,16 +10,14 @@ from ..errors import FacetFilmError, choice
 from .ball import ball
 from .between import Between
 from .fit import report_of
-from .forms import FORMS, form_of
+from .forms import form_names, form_of
 from .least_squares import least_squares
 from .problems import ImageProblem, SampleProblem, guess_of
 from .reading import read_brdf
 
-__all__ = ["FRESNELS", "STOPPED", "fit", "fit_steps"]
+__all__ = ["BEST", "fit", "fit_steps"]
 
 BEST = "best"
-FRESNELS = (BEST, *FORMS)
-"""What F may be: the best of all, or one of them."""
 STOPPED = "The fit was stopped."
 FITTED_BALL, SHOWN_BALL = (12, 24, 32, 24), (20, 48, 48, 48)
 SAMPLE_ROUNDS, IMAGE_ROUNDS = 60, 16
@@ -30,7 +28,6 @@ EXACT = 1e-9
 """Share of all that samples hold that a search leaves of them where they are the model's own."""
 WORTH_IT = 0.95
 """A form with more numbers is taken where it leaves less than this of the colour difference."""
-STARTS = {"f0": 4, "n_k": 2, "curve": 2}
 
 
 def fit(measured, *, progress=None, **options):
@@ -60,9 +57,9 @@ def fit_steps(measured, *, fresnel=BEST, slopes=2, distribution="beckmann"):
     slopes        1 to 3; a curve has one
     distribution  "beckmann" or "gaussian"; a curve has Beckmann's
     """
-    choice("fresnel", fresnel, FRESNELS)
-    names = list(FORMS) if fresnel == BEST else [fresnel]
-    forms = [form_of(name, 1 if name == "curve" else slopes, distribution) for name in names]
+    choice("fresnel", fresnel, (BEST, *form_names()))
+    names = form_names() if fresnel == BEST else [fresnel]
+    forms = [form_of(name, slopes, distribution) for name in names]
     measurement = measured if hasattr(measured, "samples") else read_brdf(measured)
     best, tried = None, {}
     for i, form in enumerate(forms):
@@ -91,9 +88,9 @@ def _within(steps, start, part):
 
 def _fitted(form, measurement, other):
     """Steps that return the _Searched of one form; `other` is one that was fitted before, to start from as well."""
-    starts = form.starts(guess_of(measurement.samples))[:STARTS[form.name]]
-    if other is not None and other.form.slopes == form.slopes:
-        starts.append(form.from_other(other.form, other.p))
+    like_other = [form.from_other(other.form, other.p)] if other is not None else []
+    like_other = [p for p in like_other if p is not None]
+    starts = [*form.starts(guess_of(measurement.samples)), *like_other]
     problem, best, whole = SampleProblem(form, measurement.samples), None, len(starts) + 2
     for i, start in enumerate(starts):
         found = yield from _counted(problem, start, SAMPLE_ROUNDS, i / whole, 1.0 / whole)
@@ -106,7 +103,7 @@ def _fitted(form, measurement, other):
         brdf = Between(measurement.samples, lambda v, l: form.evaluate(p, v, l)).brdf
     image = ImageProblem(form, shown, shown.of_brdf(brdf))
     if measurement.brdf is not None and best.cost > EXACT * problem.whole:
-        begin = min([p, *starts[STARTS[form.name]:]], key=lambda p: np.sum(image.residuals(p) ** 2))
+        begin = min([p, *like_other], key=lambda p: np.sum(image.residuals(p) ** 2))
         found = yield from _counted(image, begin, IMAGE_ROUNDS, 1.0 - 1.0 / whole, 0.5 / whole)
         found = yield from _straightened(image, found, IMAGE_ROUNDS, 1.0 - 0.5 / whole, 0.5 / whole)
         p, image.stiffness = found.parameters, 0.0

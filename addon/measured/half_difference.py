@@ -19,7 +19,7 @@ def directions_of(theta_h, theta_d, phi_d):
 
     >>> v, l = directions_of(np.array([0.0]), np.array([0.5]), np.array([0.0]))
     >>> (v + l).round(6).tolist(), l.round(3).tolist()
-    ([[0.0, 0.0, 1.755]], [[0.479, 0.0, 0.878]])
+    ([[0.0, 0.0, 1.755165]], [[0.479, 0.0, 0.878]])
     """
     x, y, z = np.sin(theta_d) * np.cos(phi_d), np.sin(theta_d) * np.sin(phi_d), np.cos(theta_d)
     sine, cosine = np.sin(theta_h), np.cos(theta_h)

@@ -1,16 +1,14 @@
 """What a fit makes small: the samples' square roots, or the colours of a displayed ball."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from ..bake.colour import lab
 from ..bake.fit import colour_metric
-from .ball import displayed, exposure_of
-from .forms import LUMINANCE
+from ..models.fitted import Guess
+from .ball import LUMINANCE, displayed, exposure_of
 from .lights import FITTED
 
-__all__ = ["Guess", "ImageProblem", "SampleProblem", "guess_of"]
+__all__ = ["ImageProblem", "SampleProblem", "guess_of"]
 
 DARKEST = 0.004
 """Displayed colours below count as this in the metric."""
@@ -90,21 +88,6 @@ class ImageProblem(_Problem):
 
     def _weighed(self, difference):
         return (self._root_area * (difference[:, None, :] @ self._roots)[:, 0]).ravel()
-
-
-class Guess(NamedTuple):
-    """What samples look like at a glance.
-
-    diffuse  π times f away from the highlight, ``(3,)``
-    top      s·F0 in a Beckmann lobe of slope m, ``(3,)``
-    m        rms slope
-    shares   s to start from
-    """
-
-    diffuse: np.ndarray
-    top: np.ndarray
-    m: float
-    shares: tuple
 
 
 def guess_of(samples):

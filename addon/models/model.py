@@ -154,6 +154,7 @@ class Model:
     forms         {name: Form} that :func:`write_form` knows
     write_form    function(form, Record) -> text
     swatch        function(Record, columns) -> Swatch, or None where its colours depend on nothing that a strip shows
+    fits          {name of what F is: "module.Class" of the addon.models.fitted.Form that measurements are fitted in}
     principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
     measured      whether a measurement that is no preset can become a material of it
     refracts     whether light passes through its materials, which EEVEE has to be told
@@ -180,6 +181,7 @@ class Model:
     forms: Mapping[str, Form] = dataclasses.field(default_factory=dict)
     write_form: Callable | None = None
     swatch: Callable | None = None
+    fits: Mapping[str, str] = dataclasses.field(default_factory=dict)
     principled: Callable | None = None
     measured: bool = False
     refracts: bool = False

@@ -14,10 +14,11 @@ from addon.cli import main
 from addon.errors import FacetFilmError
 from addon.measured import fit, fit_steps, read_brdf
 from addon.measured.ball import ball
-from addon.measured.forms import DEGREES, form_of
+from addon.measured.forms import form_of
 from addon.measured.lights import FITTED, HELD_OUT, LIGHTS
 from addon.measured.reading import read_brdf_bytes
 from addon.models import named
+from addon.models.film.fits import DEGREES
 from addon.models.making import made
 from addon.models.record import from_dict
 
@@ -112,10 +113,10 @@ def test_the_shares_sum_to_one_at_most():
 
 @pytest.mark.parametrize("fresnel", ["f0", "n_k", "curve"])
 def test_what_the_search_moves_is_what_the_model_evaluates(fresnel):
-    form = form_of(fresnel, 1 if fresnel == "curve" else 3)
+    form = form_of(fresnel, 3)
     p = form.low + 0.4 * (form.high - form.low)
     v, l = ball(8, 8, 8, 8).v, ball(8, 8, 8, 8).l
-    np.testing.assert_array_equal(form.evaluate(p, v, l), named(form.model).evaluate(form.checked(p), UP, v, l))
+    np.testing.assert_array_equal(form.evaluate(p, v, l), form.model.evaluate(form.checked(p), UP, v, l))
 
 
 @pytest.fixture(scope="module")

@@ -13,6 +13,8 @@ TEXTS = {
         "；两端保持不变",
     "; outside the gamut, mapped by {:s}":
         "；超出色域，映射方式：{:s}",
+    "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
+        "菲涅耳曲线由 0° 到 90° 的角度及各自的三个 0 到 1 的反射率组成，例如 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1'，而不是 {value!r}。",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "检查只接受其中之一：n 与 k、带或不带色调的 F0、一种材质。",
     "A file to write is named by its path, not by {path!r}.":
@@ -329,6 +331,8 @@ TEXTS = {
         "材质：预设名称，或数据集如 main/Cu/Johnson。输入即可搜索",
     "Measured Material":
         "实测材质",
+    "Measured Surfaces":
+        "实测表面",
     "Measurement":
         "测量",
     "Metals":
@@ -497,6 +501,8 @@ TEXTS = {
         "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
+    "The file {file!r} cannot be read.":
+        "无法读取文件 {file!r}。",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
@@ -782,12 +788,44 @@ TEXTS = {
         "{dataset!r} 不是数据库中的数据集；请指定一个数据集或其中的材质。",
     "{file!r} cannot be written: {why}; name another place.":
         "无法写入 {file!r}：{why}；请另指定位置。",
+    "{file!r} has a heading that does not name theta_i, phi_i, theta_o, phi_o and a column for every number.":
+        "{file!r} 的表头没有列出 theta_i、phi_i、theta_o、phi_o 以及每个数值对应的列。",
+    "{file!r} has tables of the wrong dimensions: download it again.":
+        "{file!r} 中表格的维度不对：请重新下载。",
+    "{file!r} has {count} columns without a heading: name them, as in theta_i phi_i theta_o phi_o 450 550 650.":
+        "{file!r} 有 {count} 列但没有表头：请为各列命名，例如 theta_i phi_i theta_o phi_o 450 550 650。",
+    "{file!r} has {count} usable points; a fit needs {fewest}, and 400 where they are noisy.":
+        "{file!r} 有 {count} 个可用的点；拟合需要 {fewest} 个，有噪声时需要 400 个。",
+    "{file!r} has {sizes} entries; a file of the MERL database has 90 × 90 × 180.":
+        "{file!r} 有 {sizes} 个条目；MERL 数据库的文件有 90 × 90 × 180 个。",
+    "{file!r} holds no measured BRDF: take .bsdf of RGL-EPFL, .binary of MERL, or a text of points, each θi φi θo φo and red green blue.":
+        "{file!r} 不含实测 BRDF：请使用 RGL-EPFL 的 .bsdf、MERL 的 .binary，或由点组成的文本，每行为 θi φi θo φo 及红绿蓝。",
+    "{file!r} holds no value above 0: there is nothing to fit.":
+        "{file!r} 中没有大于 0 的值：无可拟合。",
+    "{file!r} holds spectra: take the file of the same material that ends in _rgb.bsdf.":
+        "{file!r} 含有光谱：请使用同一材质以 _rgb.bsdf 结尾的文件。",
+    "{file!r} holds values that are no numbers (NaN or infinite): download it again.":
+        "{file!r} 含有非数值（NaN 或无穷大）：请重新下载。",
+    "{file!r} is a Git LFS pointer, not the file itself: fetch it with git lfs pull.":
+        "{file!r} 是 Git LFS 指针，而非文件本身：请用 git lfs pull 获取。",
     "{file!r} is a folder; name a file in it.":
         "{file!r} 是文件夹；请指定其中的文件。",
+    "{file!r} is a web page, not a measurement: download the file that it links to.":
+        "{file!r} 是网页而非测量数据：请下载它所链接的文件。",
+    "{file!r} is anisotropic: it reflects otherwise when it is turned, which the fit does not know; take an isotropic material.":
+        "{file!r} 是各向异性的：旋转后反射不同，拟合不支持；请使用各向同性的材质。",
     "{file!r} is being written already; remove {aside!r} if it is not.":
         "{file!r} 正在写入；若并非如此，请删除 {aside!r}。",
+    "{file!r} is damaged or ends too early: download it again.":
+        "{file!r} 已损坏或不完整：请重新下载。",
+    "{file!r} is larger than half a gigabyte, which no measured BRDF is.":
+        "{file!r} 大于半 GB，实测 BRDF 不会这么大。",
+    "{file!r} is no BRDF of the RGL-EPFL database: it lacks some of its tables.":
+        "{file!r} 不是 RGL-EPFL 数据库的 BRDF：缺少部分表格。",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} 受保护或不是普通文件；请另指定一个。",
+    "{file!r} names its values neither red, green and blue nor by wavelengths in nm that reach from 450 to 650.":
+        "{file!r} 的数值既未标为红、绿、蓝，也未以覆盖 450 到 650 nm 的波长标注。",
     "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
         "{material} 会吸收光，不能作为外部介质；请给出透明的介质，例如 'water'，或其折射率，例如 1.33。",
     "{material} has no Principled BSDF that comes close: name a measured preset.":

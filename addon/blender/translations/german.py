@@ -13,6 +13,8 @@ TEXTS = {
         "; Enden gehalten",
     "; outside the gamut, mapped by {:s}":
         "; außerhalb des Farbraums, abgebildet mit {:s}",
+    "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
+        "Eine Fresnel-Kurve besteht aus Winkeln von 0° bis 90° mit je drei Reflexionsgraden von 0 bis 1, etwa 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', nicht {value!r}.",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
     "A file to write is named by its path, not by {path!r}.":
@@ -332,6 +334,8 @@ TEXTS = {
         "Material: Name einer Voreinstellung, oder ein Datensatz wie main/Cu/Johnson. Tippen sucht",
     "Measured Material":
         "Gemessenes Material",
+    "Measured Surfaces":
+        "Gemessene Oberflächen",
     "Measurement":
         "Messung",
     "Metals":
@@ -501,6 +505,8 @@ TEXTS = {
         "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
+    "The file {file!r} cannot be read.":
+        "Die Datei {file!r} lässt sich nicht lesen.",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis {most:.0f} "
@@ -787,12 +793,44 @@ TEXTS = {
         "{dataset!r} ist kein Datensatz der Datenbank; einen nennen oder ein Material daraus.",
     "{file!r} cannot be written: {why}; name another place.":
         "{file!r} lässt sich nicht schreiben: {why}; bitte einen anderen Ort nennen.",
+    "{file!r} has a heading that does not name theta_i, phi_i, theta_o, phi_o and a column for every number.":
+        "{file!r} hat eine Kopfzeile, die nicht theta_i, phi_i, theta_o, phi_o und zu jeder Zahl eine Spalte nennt.",
+    "{file!r} has tables of the wrong dimensions: download it again.":
+        "{file!r} hat Tabellen mit falschen Abmessungen: bitte neu herunterladen.",
+    "{file!r} has {count} columns without a heading: name them, as in theta_i phi_i theta_o phi_o 450 550 650.":
+        "{file!r} hat {count} Spalten ohne Kopfzeile: bitte benennen, wie in theta_i phi_i theta_o phi_o 450 550 650.",
+    "{file!r} has {count} usable points; a fit needs {fewest}, and 400 where they are noisy.":
+        "{file!r} hat {count} brauchbare Punkte; eine Anpassung braucht {fewest}, bei Rauschen 400.",
+    "{file!r} has {sizes} entries; a file of the MERL database has 90 × 90 × 180.":
+        "{file!r} hat {sizes} Einträge; eine Datei der MERL-Datenbank hat 90 × 90 × 180.",
+    "{file!r} holds no measured BRDF: take .bsdf of RGL-EPFL, .binary of MERL, or a text of points, each θi φi θo φo and red green blue.":
+        "{file!r} enthält keine gemessene BRDF: bitte .bsdf von RGL-EPFL, .binary von MERL oder einen Text von Punkten nehmen, je θi φi θo φo und Rot Grün Blau.",
+    "{file!r} holds no value above 0: there is nothing to fit.":
+        "{file!r} enthält keinen Wert über 0: Es gibt nichts anzupassen.",
+    "{file!r} holds spectra: take the file of the same material that ends in _rgb.bsdf.":
+        "{file!r} enthält Spektren: bitte die Datei desselben Materials nehmen, die auf _rgb.bsdf endet.",
+    "{file!r} holds values that are no numbers (NaN or infinite): download it again.":
+        "{file!r} enthält Werte, die keine Zahlen sind (NaN oder unendlich): bitte neu herunterladen.",
+    "{file!r} is a Git LFS pointer, not the file itself: fetch it with git lfs pull.":
+        "{file!r} ist ein Verweis von Git LFS, nicht die Datei selbst: bitte mit git lfs pull holen.",
     "{file!r} is a folder; name a file in it.":
         "{file!r} ist ein Ordner; bitte eine Datei darin nennen.",
+    "{file!r} is a web page, not a measurement: download the file that it links to.":
+        "{file!r} ist eine Webseite und keine Messung: bitte die Datei herunterladen, auf die sie verweist.",
+    "{file!r} is anisotropic: it reflects otherwise when it is turned, which the fit does not know; take an isotropic material.":
+        "{file!r} ist anisotrop: Es reflektiert gedreht anders, was die Anpassung nicht kennt; bitte ein isotropes Material nehmen.",
     "{file!r} is being written already; remove {aside!r} if it is not.":
         "{file!r} wird schon geschrieben; wenn nicht, {aside!r} entfernen.",
+    "{file!r} is damaged or ends too early: download it again.":
+        "{file!r} ist beschädigt oder endet zu früh: bitte neu herunterladen.",
+    "{file!r} is larger than half a gigabyte, which no measured BRDF is.":
+        "{file!r} ist größer als ein halbes Gigabyte; das ist keine gemessene BRDF.",
+    "{file!r} is no BRDF of the RGL-EPFL database: it lacks some of its tables.":
+        "{file!r} ist keine BRDF der RGL-EPFL-Datenbank: Es fehlen einige ihrer Tabellen.",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
+    "{file!r} names its values neither red, green and blue nor by wavelengths in nm that reach from 450 to 650.":
+        "{file!r} benennt seine Werte weder rot, grün und blau noch nach Wellenlängen in nm, die von 450 bis 650 reichen.",
     "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
         "{material} absorbiert Licht und kann nicht das Medium außen sein; ein klares nennen, etwa 'water', oder dessen Brechzahl, etwa 1.33.",
     "{material} has no Principled BSDF that comes close: name a measured preset.":
