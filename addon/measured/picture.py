@@ -6,7 +6,7 @@ from ..bake.srgb import bytes_of
 from ..export.png import png
 from .ball import LAST, displayed
 
-__all__ = ["picture", "picture_pixels"]
+__all__ = ["picture", "picture_pixels", "seen_at"]
 
 GAP = 8
 FILLED = 0.98
@@ -24,18 +24,22 @@ def picture_pixels(fit, size):
     return np.concatenate([measured, np.zeros((size, GAP, 3)), fitted], axis=1)
 
 
-def _round(polar, size):
-    """A ball's rings as a square picture, black around, ``(size, size, 3)``; its edge is half-way covered."""
+def seen_at(polar, x, y):
+    """Colours of a ball's rings ``(rings, around, 3)`` at places ``(...)`` from −1 to 1, y up: ``(..., 3)``."""
     rings, around = polar.shape[:2]
-    across = ((np.arange(size) + 0.5) / size * 2.0 - 1.0) / FILLED
-    x, y = np.meshgrid(across, -across)
-    radius = np.hypot(x, y)
-    ring = np.clip(np.arcsin(np.minimum(radius, 1.0)) / LAST * rings - 0.5, 0.0, rings - 1.0)
+    ring = np.clip(np.arcsin(np.minimum(np.hypot(x, y), 1.0)) / LAST * rings - 0.5, 0.0, rings - 1.0)
     turn = (np.arctan2(y, x) / (2.0 * np.pi) * around - 0.5) % around
     i, j = np.minimum(ring.astype(int), rings - 2), turn.astype(int) % around
     u, v = (ring - i)[..., None], (turn - np.floor(turn))[..., None]
     after = (j + 1) % around
     inner = polar[i, j] * (1.0 - v) + polar[i, after] * v
     outer = polar[i + 1, j] * (1.0 - v) + polar[i + 1, after] * v
-    covered = np.clip((1.0 - radius) * size * FILLED / 2.0 + 0.5, 0.0, 1.0)[..., None]
-    return (inner * (1.0 - u) + outer * u) * covered
+    return inner * (1.0 - u) + outer * u
+
+
+def _round(polar, size):
+    """A ball's rings as a square picture, black around, ``(size, size, 3)``; its edge is half-way covered."""
+    across = ((np.arange(size) + 0.5) / size * 2.0 - 1.0) / FILLED
+    x, y = np.meshgrid(across, -across)
+    covered = np.clip((1.0 - np.hypot(x, y)) * size * FILLED / 2.0 + 0.5, 0.0, 1.0)[..., None]
+    return seen_at(polar, x, y) * covered

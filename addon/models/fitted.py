@@ -70,7 +70,9 @@ class Form:
         rows, (share, *pairs) = self._rows(p), p[3 + 3 * self.rows:]
         m = np.exp([pairs[0], *pairs[1::2]])
         w = np.exp([0.0, *pairs[2::2]])
-        slopes = tuple((kept(a), kept(b)) for a, b in sorted(zip(m, w / w.sum())))
+        order = np.argsort(m)
+        w = [kept(x) for x in (w / w.sum())[order[:-1]]]
+        slopes = tuple(zip(map(kept, m[order]), (*w, kept(1.0 - sum(w)))))
         return {"diffuse": tuple(map(kept, p[:3])), "specular": kept(np.exp(share)), **self.fresnel(rows, kept),
                 **self.facets(slopes, kept)}
 

@@ -7,6 +7,8 @@ TEXTS = {
         "   (Esc bricht ab)",
     " or ":
         " oder ",
+    ". Saved among your presets as {:s}":
+        ". Unter den eigenen Voreinstellungen gespeichert als {:s}",
     "0° to 90°":
         "0° bis 90°",
     "; ends held":
@@ -17,6 +19,10 @@ TEXTS = {
         "Eine Fresnel-Kurve besteht aus Winkeln von 0° bis 90° mit je drei Reflexionsgraden von 0 bis 1, etwa 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', nicht {value!r}.",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
+    "A conductor's, by its complex refractive index":
+        "Die eines Leiters, nach seinem komplexen Brechungsindex",
+    "A dielectric's, by its reflectance at normal incidence":
+        "Die eines Nichtleiters, nach seinem Reflexionsgrad bei senkrechtem Einfall",
     "A file to write is named by its path, not by {path!r}.":
         "Eine Datei zum Schreiben heißt nach ihrem Pfad, nicht {path!r}.",
     "A material is a preset's name or a dataset's id, not {value!r}.":
@@ -68,6 +74,8 @@ TEXTS = {
         "Erst ein Material von Facet & Film anwenden: Es gibt nichts zu speichern",
     "Apply to Node":
         "Auf Node anwenden",
+    "As published beside it":
+        "Wie daneben veröffentlicht",
     "Asset Library":
         "Asset-Bibliothek",
     "At 0°":
@@ -114,6 +122,10 @@ TEXTS = {
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
         "Backt {:s}, noch {:d}   (Esc bricht ab)",
+    "Beckmann":
+        "Beckmann",
+    "Best":
+        "Beste",
     "Bring all Facet & Film materials that were baked for another working space into this file's: baked "
     "again, and what you changed moved along. Esc stops it, and then nothing is changed":
         "Alle Materialien von Facet & Film, die für einen anderen Arbeitsfarbraum gebacken wurden, in den "
@@ -125,6 +137,8 @@ TEXTS = {
         "CIE-Normalbeobachter",
     "CIEDE2000 at most {:.2f}":
         "CIEDE2000 höchstens {:.2f}",
+    "CIEDE2000 {:.2f} on average, below {:.1f} in 95 %":
+        "CIEDE2000 im Mittel {:.2f}, in 95 % unter {:.1f}",
     "CSV of the Curve":
         "CSV der Kurve",
     "CSV of the Spectrum":
@@ -159,6 +173,8 @@ TEXTS = {
         "Konzentration",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
         "Cook und Torrance 1982 mit eingebauten Shadern: mit Licht-Sampling, auf jedem Gerät und in EEVEE",
+    "Cook and Torrance's own choice, with a wider foot":
+        "Die Wahl von Cook und Torrance, mit breiterem Fuß",
     "Cook-Torrance Exact":
         "Cook–Torrance exakt",
     "Cook-Torrance Fast":
@@ -167,6 +183,8 @@ TEXTS = {
         "Cook–Torrance OSL",
     "Crystals and Gems":
         "Kristalle und Edelsteine",
+    "Curve":
+        "Kurve",
     "Cut every channel off at 0 and 1":
         "Schneidet jeden Kanal bei 0 und 1 ab",
     "Darken all colours of the material alike, until the largest channel fits":
@@ -197,6 +215,8 @@ TEXTS = {
         "Dispersion",
     "Dispersive":
         "Mit Dispersion",
+    "Distribution":
+        "Verteilung",
     "Does this Blender render the published formulas? Find out on this machine:":
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Drained":
@@ -235,6 +255,8 @@ TEXTS = {
         "Schnell; Dispersiv bei Diamant, Bleikristall und was sonst durch seinen Regenbogen bekannt ist",
     "File":
         "Datei",
+    "File of a measured BRDF":
+        "Datei einer gemessenen BRDF",
     "File of optical constants":
         "Datei mit optischen Konstanten",
     "File to write":
@@ -255,8 +277,18 @@ TEXTS = {
         "Erste Dicke",
     "Fit":
         "Anpassung",
+    "Fit Measured BRDF":
+        "Gemessene BRDF anpassen",
+    "Fit a model to a measured BRDF, put it in the material slot and save it as a preset of your own: .bsdf of RGL-EPFL, .binary of MERL, or points as text. Takes a few seconds; Esc stops it":
+        "Passt ein Modell an eine gemessene BRDF an, setzt es in den Materialslot und speichert es als eigene Voreinstellung: .bsdf von RGL-EPFL, .binary von MERL oder Punkte als Text. Dauert einige Sekunden; Esc bricht ab",
+    "Fitting {:s}: {:d} %   (Esc stops)":
+        "{:s} wird angepasst: {:d} %   (Esc bricht ab)",
     "Form":
         "Form",
+    "Free over the angle, for colours that change with it; with one slope":
+        "Frei über dem Winkel, für Farben, die sich mit ihm ändern; mit einer Neigung",
+    "Fresnel":
+        "Fresnel",
     "Fresnel Ramp":
         "Fresnel-Verlauf",
     "Gamut":
@@ -279,6 +311,10 @@ TEXTS = {
         "Größte Dicke",
     "Group":
         "Gruppe",
+    "How many rms slopes the facets have":
+        "Wie viele mittlere Neigungen die Facetten haben",
+    "How the facets' slopes are distributed":
+        "Wie die Neigungen der Facetten verteilt sind",
     "How the formula becomes a Cycles material":
         "Wie die Formel zu einem Cycles-Material wird",
     "IOR":
@@ -297,6 +333,8 @@ TEXTS = {
         "Schillernd",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
+    "Keep it among your own presets, with what it was fitted from":
+        "Es unter den eigenen Voreinstellungen behalten, mit seiner Herkunft",
     "Kind":
         "Art",
     "Large fields of view":
@@ -450,10 +488,14 @@ TEXTS = {
         "Zeilen",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "Läuft in einem zweiten Blender, das Blender als Python-Modul fehlt: python -m addon verify aufrufen",
+    "Samples":
+        "Messpunkte",
     "Sampling Width":
         "Abtastbreite",
     "Save Preset":
         "Voreinstellung speichern",
+    "Save as Preset":
+        "Als Voreinstellung speichern",
     "Save the active material under a name of your own, or delete a saved one":
         "Speichert das aktive Material unter eigenem Namen oder löscht ein gespeichertes",
     "Scale":
@@ -486,6 +528,8 @@ TEXTS = {
         "Steigung 3",
     "Slope 4":
         "Steigung 4",
+    "Slopes":
+        "Neigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Specular":
@@ -496,6 +540,8 @@ TEXTS = {
         "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
+    "Stopped: nothing was fitted":
+        "Abgebrochen: Es wurde nichts angepasst",
     "Sulphides":
         "Sulfide",
     "Switch Realisation":
@@ -568,6 +614,8 @@ TEXTS = {
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The simplest of the others of which no other comes clearly closer":
+        "Die einfachste der übrigen, der keine andere deutlich näher kommt",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -612,6 +660,8 @@ TEXTS = {
         "Üblich",
     "Vector":
         "Vektor",
+    "Verdict":
+        "Urteil",
     "Verify Against the Formulas":
         "Mit den Formeln prüfen",
     "Verify on CPU":
@@ -638,6 +688,8 @@ TEXTS = {
     "air or water.":
         "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas Klares "
         "nennen, etwa Luft oder Wasser.",
+    "What the reflectance F may be":
+        "Was der Reflexionsgrad F sein darf",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
         "Worin die Oberfläche liegt: Luft, ein Index wie 1.33 oder ein klares Material wie Wasser",
     "What to call it":
@@ -666,6 +718,8 @@ TEXTS = {
         "Es ist noch keine Voreinstellung gespeichert",
     "a space of its own":
         "einem eigenen Farbraum",
+    "alike":
+        "gleich",
     "average daylight (superseded), 6774 K":
         "mittleres Tageslicht (überholt), 6774 K",
     "broadband fluorescent, D50 simulator, 5000 K":
@@ -704,8 +758,12 @@ TEXTS = {
         "direktes Sonnenlicht am Mittag (überholt), 4874 K",
     "equal energy":
         "energiegleich",
+    "fair":
+        "mäßig",
     "fluorescent, D65 simulator, 6510 K":
         "Leuchtstofflampe, D65-Simulator, 6510 K",
+    "good":
+        "gut",
     "halophosphate fluorescent, 2930 K":
         "Halophosphat-Leuchtstofflampe, 2930 K",
     "halophosphate fluorescent, 3970 K":
@@ -750,6 +808,14 @@ TEXTS = {
         "stack muss Schichten von außen nach innen nennen, etwa 'SiO2 0-1000 nm / Si', nicht {value!r}.",
     "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
         "thickness_range muss (kleinste, größte) Dicke in nm sein, nicht ({least:g}, {greatest:g}).",
+    "this model cannot, because away from its highlights it is not evenly diffuse, as where fibres or flakes send light back":
+        "dieses Modell kann es nicht, denn abseits der Glanzlichter ist es nicht gleichmäßig matt, wie wo Fasern oder Plättchen Licht zurückwerfen",
+    "this model cannot, because its colour changes with the angle in another way than one Fresnel term on facets does":
+        "dieses Modell kann es nicht, denn die Farbe ändert sich mit dem Winkel anders als ein Fresnel-Term auf Facetten",
+    "this model cannot, because its highlights have another shape than facets of a few slopes make, as those of flakes":
+        "dieses Modell kann es nicht, denn die Glanzlichter haben eine andere Form als die von Facetten weniger Neigungen, wie bei Plättchen",
+    "this model cannot, because towards grazing it reflects otherwise than facets do":
+        "dieses Modell kann es nicht, denn streifend reflektiert es anders als Facetten",
     "three-band fluorescent, 2980 K":
         "Dreibanden-Leuchtstofflampe, 2980 K",
     "three-band fluorescent, 3000 K":
@@ -788,10 +854,14 @@ TEXTS = {
         "Leuchtstofflampe, Weiß, 3450 K",
     "{:d} materials baked again":
         "{:d} Materialien neu gebacken",
+    "{:d} used, {:d} left out":
+        "{:d} verwendet, {:d} ausgelassen",
     "{:s} applied":
         "{:s} angewandt",
     "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
         "{:s} aus {:s} gebacken: größter CIEDE2000 der Anpassung {:.2f}",
+    "{:s} fitted, CIEDE2000 {:.2f} on average: {:s}":
+        "{:s} angepasst, CIEDE2000 im Mittel {:.2f}: {:s}",
     "{:s} is linked: update it in {:s}":
         "{:s} ist verknüpft: in {:s} aktualisieren",
     "{:s} renders by {:s}":
