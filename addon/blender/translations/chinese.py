@@ -63,6 +63,8 @@ TEXTS = {
         "此文件中所有 Facet & Film 材质均已处于其工作色彩空间",
     "Alloys":
         "合金",
+    "Anisotropy":
+        "各向异性",
     "Another Version":
         "其他版本",
     "Apply":
@@ -208,6 +210,8 @@ TEXTS = {
         "漫射颜色",
     "Dispersion":
         "色散",
+    "Dispersion Curve":
+        "色散曲线",
     "Dispersive":
         "色散",
     "Distribution":
@@ -382,6 +386,8 @@ TEXTS = {
         "测量",
     "Metals":
         "金属",
+    "Model":
+        "模型",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -476,6 +482,8 @@ TEXTS = {
         "以另一种实现方式渲染此材质；所有数值与连线保留",
     "Renders by {:s}":
         "渲染方式：{:s}",
+    "Rotation":
+        "旋转",
     "Roughness":
         "糙度",
     "Rows":
@@ -514,14 +522,12 @@ TEXTS = {
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
-    "Slope 1":
-        "斜率 1",
-    "Slope 2":
-        "斜率 2",
-    "Slope 3":
-        "斜率 3",
-    "Slope 4":
-        "斜率 4",
+    "Slope Ratio 2":
+        "斜率比 2",
+    "Slope Ratio 3":
+        "斜率比 3",
+    "Slope Ratio 4":
+        "斜率比 4",
     "Slopes":
         "斜率",
     "Small fields of view; what displays are calibrated for":
@@ -540,6 +546,8 @@ TEXTS = {
         "硫化物",
     "Switch Realisation":
         "切换实现方式",
+    "Table":
+        "表格",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "将该库从资产浏览器移除；已拖入的内容保留",
     "Tangent":

@@ -64,6 +64,8 @@ TEXTS = {
         "Alle Materialien von Facet & Film in dieser Datei sind in deren Arbeitsfarbraum",
     "Alloys":
         "Legierungen",
+    "Anisotropy":
+        "Anisotropie",
     "Another Version":
         "Andere Version",
     "Apply":
@@ -213,6 +215,8 @@ TEXTS = {
         "Diffuse Farbe",
     "Dispersion":
         "Dispersion",
+    "Dispersion Curve":
+        "Dispersionskurve",
     "Dispersive":
         "Mit Dispersion",
     "Distribution":
@@ -286,7 +290,7 @@ TEXTS = {
     "Form":
         "Form",
     "Free over the angle, for colours that change with it; with one slope":
-        "Frei über dem Winkel, für Farben, die sich mit ihm ändern; mit einer Neigung",
+        "Frei über dem Winkel, für Farben, die sich mit ihm ändern; mit einer Steigung",
     "Fresnel":
         "Fresnel",
     "Fresnel Ramp":
@@ -312,9 +316,9 @@ TEXTS = {
     "Group":
         "Gruppe",
     "How many rms slopes the facets have":
-        "Wie viele mittlere Neigungen die Facetten haben",
+        "Wie viele mittlere Steigungen die Facetten haben",
     "How the facets' slopes are distributed":
-        "Wie die Neigungen der Facetten verteilt sind",
+        "Wie die Steigungen der Facetten verteilt sind",
     "How the formula becomes a Cycles material":
         "Wie die Formel zu einem Cycles-Material wird",
     "IOR":
@@ -387,6 +391,8 @@ TEXTS = {
         "Messung",
     "Metals":
         "Metalle",
+    "Model":
+        "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -482,6 +488,8 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Rotation":
+        "Drehung",
     "Roughness":
         "Rauheit",
     "Rows":
@@ -520,16 +528,14 @@ TEXTS = {
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
-    "Slope 1":
-        "Steigung 1",
-    "Slope 2":
-        "Steigung 2",
-    "Slope 3":
-        "Steigung 3",
-    "Slope 4":
-        "Steigung 4",
+    "Slope Ratio 2":
+        "Steigungsverhältnis 2",
+    "Slope Ratio 3":
+        "Steigungsverhältnis 3",
+    "Slope Ratio 4":
+        "Steigungsverhältnis 4",
     "Slopes":
-        "Neigungen",
+        "Steigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Specular":
@@ -546,6 +552,8 @@ TEXTS = {
         "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
+    "Table":
+        "Tabelle",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
@@ -813,7 +821,7 @@ TEXTS = {
     "this model cannot, because its colour changes with the angle in another way than one Fresnel term on facets does":
         "dieses Modell kann es nicht, denn die Farbe ändert sich mit dem Winkel anders als ein Fresnel-Term auf Facetten",
     "this model cannot, because its highlights have another shape than facets of a few slopes make, as those of flakes":
-        "dieses Modell kann es nicht, denn die Glanzlichter haben eine andere Form als die von Facetten weniger Neigungen, wie bei Plättchen",
+        "dieses Modell kann es nicht, denn die Glanzlichter haben eine andere Form als die von Facetten weniger Steigungen, wie bei Plättchen",
     "this model cannot, because towards grazing it reflects otherwise than facets do":
         "dieses Modell kann es nicht, denn streifend reflektiert es anders als Facetten",
     "three-band fluorescent, 2980 K":
