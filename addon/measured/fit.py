@@ -96,10 +96,13 @@ class Fit:
 
     def preset(self) -> Preset:
         """The Preset that it is: what :func:`addon.api.create_material` takes."""
-        default = type(self.parameters)()
-        own = {row.name: getattr(self.parameters, row.name) for row in self.parameters.TABLE if row.is_value}
-        return Preset(name=self.file, title=self.title, kind="surface", model=self.model, note=self.said(), parameters={
-            name: value for name, value in own.items() if value != getattr(default, name)})
+        said = {row.name: getattr(self.parameters, row.name) for row in self.parameters.TABLE if row.is_value}
+        for name in list(said):
+            rest = {other: value for other, value in said.items() if other != name}
+            if type(self.parameters)(**rest) == self.parameters:  # a default, or what another one says as well
+                said = rest
+        return Preset(name=self.file, title=self.title, kind="surface", model=self.model, note=self.said(),
+                      parameters=said)
 
 
 def report_of(measurement, form, p, brdf, ball, tried):

@@ -46,8 +46,8 @@ def gloss(v, l):
 
 def wrap(v, l):
     """One whose colour changes with the angle."""
-    rows = 0.5 + 0.4 * np.cos(np.radians(DEGREES)[:, None] * 2.5 + (0.0, 2.0, 4.0))
-    return surface("film", stack=curve_in_words(DEGREES, rows), roughness=0.5, specular=0.9, diffuse=(0.3, 0.1, 0.2),
+    rows = 0.5 + 0.3 * np.cos(np.radians(DEGREES)[:, None] * 1.5 + (0.0, 1.0, 2.0))
+    return surface("film", stack=curve_in_words(DEGREES, rows), roughness=0.4, specular=0.9, diffuse=(0.3, 0.1, 0.2),
                    )(v, l) * (1.0 + 0.3 * np.sum(v * l, axis=-1, keepdims=True))
 
 
