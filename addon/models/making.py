@@ -7,6 +7,7 @@ from ..catalogue.resolving import resolve
 from ..errors import FacetFilmError, choice
 from . import DEFAULT, named, names
 from .model import Renderer
+from .parameters import Colour
 from .record import Record, Source
 
 USUAL = "usual"
@@ -47,7 +48,8 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     _require_of(chosen, resolved)
     options = _viewing(chosen, resolved, renderer, viewing)
     baked = chosen.bake(resolved, options, realisation, renderer)
-    checked = chosen.parameters().changed(**baked.parameters).changed(**parameters)
+    typed = _typed_colours(chosen, resolved, options.get("space", renderer.space))
+    checked = chosen.parameters().changed(**{**baked.parameters, **typed}).changed(**parameters)
     record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts)
     return _with_group(record, chosen, baked.variant)
 
@@ -64,7 +66,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER
     model = named(record.model)
     choice("realisation", realisation, model.realisations)
     if record.measured and model.as_baked(record.parameters, record.baked):
-        return rebaked(record.changed(realisation=realisation), renderer, only=("n", "k"))
+        return rebaked(record.changed(realisation=realisation), renderer, record.viewing, only=("n", "k"))
     _, variant = model.realisation_of(record.group)
     return _with_group(record.changed(realisation=realisation), model, variant)
 
@@ -73,7 +75,7 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
             only: tuple[str, ...] = ()) -> Record:
     """The Record whose measurement is baked again; what the bake does not give stays as the user set it.
 
-    viewing  options of :func:`addon.bake.bake`; by default those it was baked with
+    viewing  options of :func:`addon.bake.bake`; by default those it was baked with, in the renderer's space
     only     the parameters to take from the new bake; by default all that the model bakes
 
     Raises FacetFilmError for a record without a measurement.
@@ -82,12 +84,17 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
         raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
     model = named(record.model)
     resolved = resolve(record.source.meant())
-    options = _viewing(model, resolved, renderer, record.viewing if viewing is None else viewing)
+    options = _viewing(model, resolved, renderer, _same(record, renderer) if viewing is None else viewing)
     baked = model.bake(resolved, options, record.realisation, renderer)
     followed = [name for name, option in model.follows.items() if options[option] != record.viewing.get(option)]
     new = {name: baked.parameters[name] for name in only or (*model.baked_names, *followed)}
     found = record.changed(parameters=record.parameters.changed(**new), viewing=options, baked=baked.facts)
     return _with_group(found, model, baked.variant)
+
+
+def _same(record, renderer):
+    """The options that a record was baked with, in the renderer's space."""
+    return {**record.viewing, "space": renderer.space}
 
 
 def renewed(record: Record, renderer: Renderer = ANY_RENDERER) -> Record:
@@ -148,6 +155,14 @@ def _what_it_is_made_of(model, resolved, parameters):
         raise FacetFilmError("A preset and {name} both say what the material is made of: give one of them.",
                              name=model.made_of)
     return resolved
+
+
+def _typed_colours(model, resolved, space):
+    """The colours that a preset states, which are linear Rec.709, in a space; without those that the bake works out."""
+    from ..bake.colour import converted
+    stated = {} if resolved.is_own else resolved.preset.parameters
+    return {row.name: converted(stated[row.name], "Rec.709", space) for row in model.parameters.TABLE
+            if isinstance(row, Colour) and row.name in stated and row.name not in model.baked_names}
 
 
 def _viewing(model, resolved, renderer, viewing):

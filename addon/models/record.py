@@ -9,7 +9,7 @@ from typing import Any
 from . import named
 from .parameters import Checked
 
-__all__ = ["FORMAT", "Record", "Source", "baked_in", "is_measured", "from_dict", "from_json"]
+__all__ = ["FORMAT", "Record", "Source", "baked_in", "is_measured", "from_dict", "from_json", "space_in"]
 
 FORMAT = 2
 """Of the JSON; 1 is what 0.1.0 kept, a bare bake without parameters."""
@@ -110,7 +110,13 @@ def baked_in(text: str) -> Mapping[str, Any]:
     return held.get("baked", {}) if "format" in held else _without_source(held)
 
 
-@functools.lru_cache(maxsize=16)
+def space_in(text: str) -> str:
+    """The scene-linear space that was baked for, alone, of a material's JSON; "" where none was."""
+    held = _held(text)
+    return held["viewing"].get("space", "") if "format" in held else held.get("space", "")
+
+
+@functools.lru_cache(maxsize=256)
 def _held(text):
     """What the JSON holds; {} for what is none, and for what a newer version wrote."""
     try:

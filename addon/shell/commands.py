@@ -4,10 +4,14 @@ from ..errors import FacetFilmError, number
 from ..export import json_text
 from . import text as shown
 
-__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "verify_command",
-           "ways_command"]
+__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "swatch_command",
+           "verify_command", "ways_command"]
 
+SHOWN_COLOURS = 9
+"""Of a strip, in a table or JSON."""
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
+SURFACE = ("roughness", "tint", "anisotropy", "rotation")
+FORMS = ("json", "csv", "spectrum_csv", "materialx")
 
 
 def _given(options, *names):
@@ -38,7 +42,11 @@ def bake_command(options):
     from ..catalogue.resolving import resolve
     from ..export import write_text
     resolved = resolve(options.material, options.choose)
-    written = _form(options, resolved) if _is_a_curve(resolved) else _made(options, resolved)
+    surface = _given(options, *SURFACE)
+    if _is_a_curve(resolved) and not surface:
+        written = _form(options, resolved)
+    else:
+        written = _made(options, resolved, surface)
     if options.output is None:
         return written
     return "Wrote " + write_text(options.output, written + "\n")
@@ -65,15 +73,21 @@ def _form(options, resolved):
     if options.materialx:
         from ..models.making import made
         p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
-        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse).rstrip()
+        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse,
+                                anisotropy=p.anisotropy, rotation=p.rotation).rstrip()
     return shown.baked(baked)
 
 
-def _made(options, resolved):
-    """What was baked into a material, in the form that was asked for; of one that was not measured its parameters."""
+def _made(options, resolved, surface):
+    """What was baked into a material, in the form that was asked for; of one that was not measured its parameters.
+
+    surface  {parameter: value} that takes the place of the preset's own
+    """
     from ..models.making import exported, made
-    record = made(preset=resolved, viewing=_given(options, *VIEWING))
-    form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
+    record = made(preset=resolved, viewing=_given(options, *VIEWING), **surface)
+    form = next((form for form in FORMS if getattr(options, form) and (surface or form != "json")), None)
+    if form == "json" and not record.measured:
+        return _json(record.to_dict())
     if form and record.measured:
         return exported(record, form).rstrip()
     if form:
@@ -84,18 +98,40 @@ def _made(options, resolved):
     return _json(record.baked if record.measured else record.to_dict())
 
 
+def swatch_command(options):
+    """A material's colours over what they depend on, as a table, JSON or a picture."""
+    from ..catalogue.resolving import resolve
+    from ..export import swatch_picture, write_bytes
+    from ..models import named
+    from ..models.making import made
+    record = made(preset=resolve(options.material, options.choose), viewing=_given(options, *VIEWING))
+    draw = named(record.model).swatch
+    if draw is None:
+        raise FacetFilmError("{material} is no measurement, and its colours depend on the place as well: a strip of "
+                             "them would say nothing.", material=record.title)
+    swatch = draw(record, swatch_picture.COLUMNS if options.output else SHOWN_COLOURS)
+    if options.output:
+        return "Wrote " + write_bytes(options.output, swatch_picture.swatch_png(swatch, options.space))
+    colours = swatch_picture.swatch_hex(swatch, options.space)
+    if options.json:
+        return _json({"title": record.title, "over": swatch.over, "unit": swatch.unit, "places": swatch.places.tolist(),
+                      "rgb": swatch.rgb.tolist(), "space": options.space, "srgb": colours})
+    return shown.swatch(record.title, swatch, colours)
+
+
 def search_command(options):
     """The materials that fit some words."""
-    from ..catalogue.search import search
+    from ..catalogue.search import look_up
     number("--limit", options.limit, 1)
     words = " ".join(options.text)
-    found = search(words, options.limit)
+    found = look_up(words, options.limit)
+    entries = [*found.materials, *found.measurements][:options.limit]
     if options.json:
-        return _json([vars(entry) for entry in found])
-    if not found:
+        return _json([entry._asdict() for entry in entries])
+    if not entries:
         raise FacetFilmError(
             f"Nothing fits {words!r}; try a material, an author or a formula, such as 'gold babar'.")
-    return shown.found(found)
+    return shown.found(found, options.limit)
 
 
 def check_command(options):

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from PIL import Image
 
 from addon import models
 from addon.catalogue.presets import all_presets
@@ -59,6 +60,19 @@ def test_glass_says_what_was_baked(capsys):
     found = json.loads(capsys.readouterr().out)
     assert set(found["ior"]) == {"d", "cauchy", "error_max"} and found["abbe"] == pytest.approx(64.0, abs=0.1)
     assert set(found["attenuation"]) == {"sigma_per_m", "colour", "distance_m", "delta_e_2000_max"}
+
+
+def test_swatches(capsys, tmp_path):
+    """Over the angle, thickness and depth, as a table, JSON and a picture; nothing for a look without a measurement."""
+    assert main(["swatch", "copper"]) == 0
+    assert "over angle" in capsys.readouterr().out
+    assert main(["swatch", "anodised_titanium", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["over"] == "thickness" and len(found["srgb"]) == len(found["places"]) == len(set(found["srgb"]))
+    strip = tmp_path / "glass.png"
+    assert main(["swatch", "glass", "--space", "ACEScg", "-o", str(strip)]) == 0
+    assert Image.open(strip).size == (512, 96)
+    assert main(["swatch", "nacre"]) == 2
 
 
 def test_search(capsys):

@@ -52,8 +52,12 @@ TEXTS = {
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
     "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
         "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
+    "All materials of Facet & Film in this file are in its working space":
+        "Alle Materialien von Facet & Film in dieser Datei sind in deren Arbeitsfarbraum",
     "Alloys":
         "Legierungen",
+    "Anisotropy":
+        "Anisotropie",
     "Another Version":
         "Andere Version",
     "Apply":
@@ -110,6 +114,11 @@ TEXTS = {
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
         "Backt {:s}, noch {:d}   (Esc bricht ab)",
+    "Bring all Facet & Film materials that were baked for another working space into this file's: baked "
+    "again, and what you changed moved along. Esc stops it, and then nothing is changed":
+        "Alle Materialien von Facet & Film, die für einen anderen Arbeitsfarbraum gebacken wurden, in den "
+        "dieser Datei bringen: neu gebacken, und was du geändert hast, kommt mit. Esc bricht ab, dann ist "
+        "nichts geändert",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "Bringt Materialien dieser Datei von einem älteren Facet & Film auf den neuen Stand; alle Werte und Verbindungen bleiben",
     "CIE standard observer":
@@ -186,6 +195,8 @@ TEXTS = {
         "Diffuse Farbe",
     "Dispersion":
         "Dispersion",
+    "Dispersion Curve":
+        "Dispersionskurve",
     "Dispersive":
         "Mit Dispersion",
     "Does this Blender render the published formulas? Find out on this machine:":
@@ -326,6 +337,8 @@ TEXTS = {
         "Untere Normale",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
+    "Match Working Space":
+        "An Arbeitsfarbraum anpassen",
     "Material":
         "Material",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
@@ -336,6 +349,8 @@ TEXTS = {
         "Messung",
     "Metals":
         "Metalle",
+    "Model":
+        "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -356,8 +371,8 @@ TEXTS = {
         "Normale",
     "OSL Fast":
         "OSL schnell",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
+    "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
+        "OSL braucht die CPU oder OptiX: auf diesem Gerät wird stattdessen {:s} gezeigt",
     "Observer":
         "Beobachter",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
@@ -365,6 +380,8 @@ TEXTS = {
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; anderen "
         "Datensatz wählen.",
+    "Open Shading Language is off: {:s} is shown in its place until you switch it on in the Render properties":
+        "Open Shading Language ist aus: {:s} wird stattdessen gezeigt, bis es in den Render-Eigenschaften eingeschaltet wird",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -429,6 +446,8 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Rotation":
+        "Drehung",
     "Roughness":
         "Rauheit",
     "Rows":
@@ -463,14 +482,14 @@ TEXTS = {
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
-    "Slope 1":
-        "Steigung 1",
-    "Slope 2":
-        "Steigung 2",
-    "Slope 3":
-        "Steigung 3",
-    "Slope 4":
-        "Steigung 4",
+    "Slope Ratio 2":
+        "Steigungsverhältnis 2",
+    "Slope Ratio 3":
+        "Steigungsverhältnis 3",
+    "Slope Ratio 4":
+        "Steigungsverhältnis 4",
+    "Slopes":
+        "Steigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Specular":
@@ -485,6 +504,8 @@ TEXTS = {
         "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
+    "Table":
+        "Tabelle",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
@@ -543,6 +564,10 @@ TEXTS = {
         "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
+    "The scene-linear space of this file has no three primaries; choose another OpenColorIO "
+    "configuration, or name a space.":
+        "Der szenenlineare Farbraum dieser Datei hat keine drei Primärfarben; wähle eine andere "
+        "OpenColorIO-Konfiguration oder nenne einen Farbraum.",
     "The second Blender ended with status {:d}: {:s}":
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
@@ -579,8 +604,6 @@ TEXTS = {
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Time":
         "Zeit",
     "Tint":
@@ -645,6 +668,8 @@ TEXTS = {
         "{:s} geschrieben",
     "You have saved no preset yet":
         "Es ist noch keine Voreinstellung gespeichert",
+    "a space of its own":
+        "einem eigenen Farbraum",
     "average daylight (superseded), 6774 K":
         "mittleres Tageslicht (überholt), 6774 K",
     "broadband fluorescent, D50 simulator, 5000 K":
@@ -777,6 +802,8 @@ TEXTS = {
         "{:s} rendert mit: {:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
         "{:s} nimmt keine Materialien: ein Mesh, eine Kurve, Fläche, Text oder ein Volumen auswählen",
+    "{:s} was baked for {:s}, but this file's working space is {:s}: its colors are off":
+        "{:s} wurde für {:s} gebacken, der Arbeitsfarbraum dieser Datei ist aber {:s}: seine Farben stimmen nicht",
     "{:s} was edited by hand and stays as it is":
         "{:s} wurde von Hand geändert und bleibt, wie es ist",
     "{:s} was made by a newer Facet & Film: install that one to change it":

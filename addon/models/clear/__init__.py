@@ -26,6 +26,11 @@ def _write_form(form, record):
     return write_form(form, record)
 
 
+def _swatch(record, columns):
+    from .swatch import swatch
+    return swatch(record, columns)
+
+
 def _principled(record):
     from .forms import principled
     return principled(record)
@@ -54,6 +59,7 @@ MODEL = Model(
     follows={"outside": "medium"},
     forms={"json": Form("JSON", "Everything that was baked", ".json")},
     write_form=_write_form,
+    swatch=_swatch,
     principled=_principled,
     measured=True,
     refracts=True,

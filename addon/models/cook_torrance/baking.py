@@ -3,14 +3,17 @@
 import numpy as np
 
 from ...bake import bake
-from ...bake.colour import rgb_to_xyz
-from ...bake.reflected import AT_NORMAL, Viewing, reflect
+from ...bake.baking import conductor_of_curve
+from ...bake.colour import rgb_to_xyz, space_to_space
+from ...bake.gamut import map_colours
+from ...bake.reflected import ANGLES, AT_NORMAL, Viewing, reflect
 from ...reflectance import fresnel
 from ..model import Baked, Look
 from ..realisations import REALISATIONS
+from .formulas import dyed
 from .parameters import CookTorrance
 
-__all__ = ["bake_for", "diffuse_colour", "facts", "look"]
+__all__ = ["bake_for", "diffuse_colour", "facts", "look", "respaced"]
 
 FAR_OFF = 1.0
 """CIEDE2000 from which a conductor's fit is given up where F82 comes closer."""
@@ -87,9 +90,24 @@ def diffuse_colour(source, baked):
     return tuple(viewing.map(rgb)[0].tolist())
 
 
+def respaced(parameters, changed, before, after):
+    """{"n": …, "k": …} in another space, where someone changed either: the pair whose curve looks most like theirs.
+
+    parameters  a CookTorrance
+    changed     names of what was changed
+    """
+    if not {"n", "k"} & changed:
+        return {}
+    n, k = np.array(parameters.n), np.array(parameters.k)
+    rgb = fresnel.conductor(ANGLES[:, None], n, k) @ space_to_space(before, after).T
+    new = conductor_of_curve(map_colours(rgb, "nearest", after)[0], n, k, after)
+    return {"n": new.n, "k": new.k}
+
+
 def look(parameters):
     """The Look of a CookTorrance: normal reflectance and diffuse colour, by their shares."""
     p, s = parameters, parameters.specular
-    f0 = fresnel.conductor(1.0, np.array(p.n), np.array(p.k))
-    diffuse = (1.0 - s) * np.array(p.diffuse)
+    n, k, normal_reflectance = dyed(p)
+    f0 = fresnel.conductor(1.0, n, k)
+    diffuse = (1.0 - s) * normal_reflectance
     return Look(s * f0 + diffuse, f0, s, p.slopes[0][0], diffuse)
