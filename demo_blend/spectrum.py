@@ -41,15 +41,15 @@ def spectrum(job):
     lamp("Lamp", [far + i * 0.11 * across + k * up for i, k in ((-1, 0.0), (1, 0.0), (1, 4.0), (-1, 4.0))], 900.0)
     black = matt("Black", 0.02)
     for side in (-1.0, 1.0):
-        jaw = mesh_object("Jaw of the slit", *box(0.04, 1.5, 2.0), black)
-        jaw.location = near + side * (0.75 + 0.05) * across + 1.0 * up
+        jaw = mesh_object("Jaw of the slit", *box(0.04, 6.0, 3.0), black)
+        jaw.location = near + side * (3.0 + 0.05) * across + 1.5 * up
         jaw.rotation_euler = (0.0, 0.0, 0.5 * deviation)
     screen = mesh_object("Screen", *box(0.05, 3.4, 2.4), matt("White", 0.85))
     screen.location = 6.0 * leaves + 1.2 * up
     screen.rotation_euler = (0.0, 0.0, -0.5 * deviation)
     mesh_object("Table", [(-40, -40, 0), (40, -40, 0), (40, 40, 0), (-40, 40, 0)], [(0, 1, 2, 3)], matt("Table", 0.12))
     set_sky(scene, (0.012, 0.013, 0.016), (0.010, 0.010, 0.012), (0.005, 0.005, 0.005))
-    add_camera(scene, (-2.5, -7.5, 3.0), (2.3, -1.6, 0.85), 40.0)
+    add_camera(scene, (0.6, 6.5, 3.6), (2.6, -1.5, 0.75), 38.0)
     job.write(job.render(scene, "spectrum"), "clear_spectrum.jpg")
     job.save_scene("clear_spectrum")
 
