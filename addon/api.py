@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -50,7 +51,8 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
                  alone
     realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL),
                  "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of the rainbow);
-                 by default the one that the preset is meant for, else "fast"
+                 by default the one that the preset is meant for, else "fast".  Where Open Shading Language is off,
+                 a material by OSL shows "exact" or "fast" instead, and a warning says so
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
@@ -68,6 +70,7 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     materials.require_name(name)
     record = made(model, preset, realisation, compat.renderer(), viewing, **parameters)
     _require_osl(record.realisation)
+    _warn_without_osl(record.realisation)
     return materials.create(record, name, material)
 
 
@@ -88,6 +91,7 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     locked.require_editable(material)
     new = switched(record, realisation, compat.renderer())
     _require_osl(realisation)
+    _warn_without_osl(realisation)
     materials.write(material, new)
 
 
@@ -155,3 +159,13 @@ def _require_osl(realisation):
     from .nodes.osl_compiler import require_osl
     if REALISATIONS[realisation].osl:
         require_osl()
+
+
+def _warn_without_osl(realisation):
+    """Tell the script that called what the open scene shows in place of an OSL script, where it runs none."""
+    import bpy
+
+    from .blender.missing import why_no_script_runs
+    why = why_no_script_runs(bpy.context.scene, realisation)
+    if why:
+        warnings.warn(why, stacklevel=3)

@@ -25,6 +25,7 @@ def parser():
     command.add_argument("material", metavar=MATERIAL,
                          help="a preset, a dataset of the database, or a file of your own measurements")
     _add_viewing_options(command)
+    _add_surface_options(command)
     _add_choose_option(command)
     _add_formula_option(command)
     command.add_argument("--from-normal-reflectance", action="store_true",
@@ -68,7 +69,8 @@ def parser():
     command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender "
                        "and hold the pixels against the formulas", _add_report)
     command.add_argument("--device", default="CPU", metavar="NAME",
-                         help="CPU (the default), or GPU: what the preferences switch on")
+                         help="CPU (the default); GPU: what the preferences switch on; or CUDA, OPTIX, HIP, METAL, "
+                              "ONEAPI")
     command.add_argument("--only", metavar="GROUP", help="one model's name, or data")
     return parser
 
@@ -118,6 +120,16 @@ def _add_viewing_options(command, gamut=True):
                              help="for colours outside: nearest, unless told otherwise; desaturate, scale, clip, leave")
         command.add_argument("--medium", default=argparse.SUPPRESS, metavar="N|NAME",
                              help="what the surface is in: an index such as 1.33, or a clear material such as water")
+
+
+def _add_surface_options(command):
+    """Of the surface, in place of the preset's own."""
+    for name, what in (("--roughness", "0 to 1, the root of the rms slope m"),
+                       ("--anisotropy", "0 to below 1: slopes longer along the tangent than across it"),
+                       ("--rotation", "0 to 1 turns of the tangent")):
+        command.add_argument(name, type=float, default=argparse.SUPPRESS, metavar="X", help=what)
+    command.add_argument("--tint", type=float, nargs=3, default=argparse.SUPPRESS, metavar=("R", "G", "B"),
+                         help="dyes what metals and the diffuse part reflect")
 
 
 def _add_choose_option(command):

@@ -25,7 +25,8 @@ ROOM = ADDON / "blender"
 MARKED = {"iface_", "rpt_", "tip_", "n_"}
 ENGLISH_ONLY = {"shell/commands.py", "models/cook_torrance/parameters.py", "models/layered_rgb/parameters.py",
                 "spectra/dispersion.py",
-                "spectra/readers/reading.py", "spectra/readers/text.py", "export/materialx.py", "verify/running.py"}
+                "spectra/readers/reading.py", "spectra/readers/text.py", "export/materialx.py",
+                "verify/devices.py", "verify/running.py"}
 """Where errors are of scripts, of the shell, or of the lines of a file that someone imports: those stay English."""
 NOT_SHOWN = {
     "# A material of Facet & Film, as JSON in a comment of one line.\n#",
@@ -101,10 +102,11 @@ def raised():
 
 
 def names_of_sockets():
-    """What the panel calls the parameters, as the groups do."""
+    """What the panel calls the parameters, as the groups do, and the closed panels that some of them are in."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    panels = {socket.panel for model in all_models() for row in model.parameters.TABLE for socket in row.sockets()}
     return {name for group in groups.all_groups() if not group.osl
-            for name in groups.input_names(groups.node_group(group.identifier))}
+            for name in groups.input_names(groups.node_group(group.identifier))} | panels - {""}
 
 
 def texts_of_models():

@@ -7,7 +7,7 @@ from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import is_measured, model_of, our_node, realisation_of
 from ..datablocks.spaces import said_of_space
-from ..operators.realisation import shown_name, what_is_missing
+from ..missing import shown_name, what_is_missing
 from ..operators.targets import active_material
 from ..operators.user_presets import draw_header
 from ..settings import copy_viewing

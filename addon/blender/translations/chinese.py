@@ -57,6 +57,8 @@ TEXTS = {
         "此文件中所有 Facet & Film 材质均已处于其工作色彩空间",
     "Alloys":
         "合金",
+    "Anisotropy":
+        "各向异性",
     "Another Version":
         "其他版本",
     "Apply":
@@ -190,6 +192,8 @@ TEXTS = {
         "漫射颜色",
     "Dispersion":
         "色散",
+    "Dispersion Curve":
+        "色散曲线",
     "Dispersive":
         "色散",
     "Does this Blender render the published formulas? Find out on this machine:":
@@ -345,6 +349,8 @@ TEXTS = {
         "测量",
     "Metals":
         "金属",
+    "Model":
+        "模型",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -365,14 +371,16 @@ TEXTS = {
         "法线",
     "OSL Fast":
         "OSL 快速",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
+    "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
+        "OSL 需要 CPU 或 OptiX：在此设备上将显示“{:s}”",
     "Observer":
         "观察者",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
         "当文件包含多项内容或有多种含义时：选择哪一项。含义明确时留空",
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "{word!r} 只有正入射反射率，而层堆需要 n 和 k；请选择另一个数据集。",
+    "Open Shading Language is off: {:s} is shown in its place until you switch it on in the Render properties":
+        "开放着色语言未启用：在渲染属性中启用之前，将显示“{:s}”",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -439,6 +447,8 @@ TEXTS = {
         "以另一种实现方式渲染此材质；所有数值与连线保留",
     "Renders by {:s}":
         "渲染方式：{:s}",
+    "Rotation":
+        "旋转",
     "Roughness":
         "糙度",
     "Rows":
@@ -477,14 +487,14 @@ TEXTS = {
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
-    "Slope 1":
-        "斜率 1",
-    "Slope 2":
-        "斜率 2",
-    "Slope 3":
-        "斜率 3",
-    "Slope 4":
-        "斜率 4",
+    "Slope Ratio 2":
+        "斜率比 2",
+    "Slope Ratio 3":
+        "斜率比 3",
+    "Slope Ratio 4":
+        "斜率比 4",
+    "Slopes":
+        "斜率",
     "Small fields of view; what displays are calibrated for":
         "小视场；显示器据此校准",
     "Specular":
@@ -499,6 +509,8 @@ TEXTS = {
         "硫化物",
     "Switch Realisation":
         "切换实现方式",
+    "Table":
+        "表格",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "将该库从资产浏览器移除；已拖入的内容保留",
     "Tangent":
@@ -599,8 +611,6 @@ TEXTS = {
         "此文件没有带测量数据的材质：请先烘焙预设",
     "This file is no preset of Facet & Film.":
         "此文件不是 Facet & Film 的预设。",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Time":
         "时间",
     "Tint":

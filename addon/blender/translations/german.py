@@ -58,6 +58,8 @@ TEXTS = {
         "Alle Materialien von Facet & Film in dieser Datei sind in deren Arbeitsfarbraum",
     "Alloys":
         "Legierungen",
+    "Anisotropy":
+        "Anisotropie",
     "Another Version":
         "Andere Version",
     "Apply":
@@ -195,6 +197,8 @@ TEXTS = {
         "Diffuse Farbe",
     "Dispersion":
         "Dispersion",
+    "Dispersion Curve":
+        "Dispersionskurve",
     "Dispersive":
         "Mit Dispersion",
     "Does this Blender render the published formulas? Find out on this machine:":
@@ -352,6 +356,8 @@ TEXTS = {
         "Messung",
     "Metals":
         "Metalle",
+    "Model":
+        "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -372,8 +378,8 @@ TEXTS = {
         "Normale",
     "OSL Fast":
         "OSL schnell",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
+    "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
+        "OSL braucht die CPU oder OptiX: auf diesem Gerät wird stattdessen {:s} gezeigt",
     "Observer":
         "Beobachter",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
@@ -381,6 +387,8 @@ TEXTS = {
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; anderen "
         "Datensatz wählen.",
+    "Open Shading Language is off: {:s} is shown in its place until you switch it on in the Render properties":
+        "Open Shading Language ist aus: {:s} wird stattdessen gezeigt, bis es in den Render-Eigenschaften eingeschaltet wird",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -447,6 +455,8 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Rotation":
+        "Drehung",
     "Roughness":
         "Rauheit",
     "Rows":
@@ -485,14 +495,14 @@ TEXTS = {
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
-    "Slope 1":
-        "Steigung 1",
-    "Slope 2":
-        "Steigung 2",
-    "Slope 3":
-        "Steigung 3",
-    "Slope 4":
-        "Steigung 4",
+    "Slope Ratio 2":
+        "Steigungsverhältnis 2",
+    "Slope Ratio 3":
+        "Steigungsverhältnis 3",
+    "Slope Ratio 4":
+        "Steigungsverhältnis 4",
+    "Slopes":
+        "Steigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Specular":
@@ -507,6 +517,8 @@ TEXTS = {
         "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
+    "Table":
+        "Tabelle",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
@@ -609,8 +621,6 @@ TEXTS = {
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Time":
         "Zeit",
     "Tint":

@@ -10,8 +10,9 @@ from ...catalogue.resolving import resolve
 from ...export.standin import LOST, Standin, index_of
 from ...reflectance import fresnel
 from . import MODEL
+from .formulas import dyed
 
-__all__ = ["baked_for_export", "standin", "write_form"]
+__all__ = ["baked_for_export", "shape", "standin", "write_form"]
 
 LARGEST_DIELECTRIC_K = 0.1
 """k below which F is a dielectric's: k² is less than 0.2 % of (n+1)² there."""
@@ -29,20 +30,21 @@ def write_form(form, record):
     if form == "csv":
         return export.curve_csv(baked)
     if form == "materialx":
-        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse)
-    return export.json_text({**baked.to_dict(), "diffuse_rgb": p.diffuse, **_of_the_surface(p)})
+        return export.materialx(baked, **shape(p))
+    return export.json_text({**baked.to_dict(), "diffuse_rgb": dyed(p)[2].tolist(), **_of_the_surface(p)})
 
 
 def baked_for_export(record):
     """The Bake of a record for the exact formula, which other programs evaluate.
 
-    Where the user has changed n or k, colours, curve and fits are those of what
+    Where the user has changed n or k, or dyes them, colours, curve and fits are those of what
     the node holds, and its difference from the measurement is stated anew.
     """
     source, p = record.source.meant(), record.parameters
-    if MODEL.as_baked(p, record.baked):
+    if MODEL.as_baked(p, record.baked) and min(p.tint) == 1.0:
         return bake(source, **record.viewing, formula="exact")
-    return bake_with_index(source, p.n, p.k, **record.viewing)
+    n, k, _ = (tuple(map(float, channels)) for channels in dyed(p))
+    return bake_with_index(source, n, k, **record.viewing)
 
 
 def standin(record):
@@ -51,10 +53,11 @@ def standin(record):
     A metal's mirror and a coat are fitted at the angles that a ball shows.
     """
     p = record.parameters
-    n, k, s = np.array(p.n), np.array(p.k), p.specular
+    (n, k, diffuse), s = (np.array(channels) for channels in dyed(p)), p.specular
     mirror = fresnel.conductor(COS_THETA[:, None], n, k)
-    seen = s * mirror + (1.0 - s) * np.array(p.diffuse)
-    surface = {"roughness": min(_slope(p) ** 0.5, 1.0), **_turned(p), "lost": _lost(p)}
+    seen = s * sum(w for _, w in p.slopes) * mirror + (1.0 - s) * diffuse
+    surface = {"roughness": min(_slope(p) ** 0.5, 1.0), "anisotropy": p.anisotropy, "rotation": p.rotation,
+               "lost": _lost(p)}
     if k.max() < LARGEST_DIELECTRIC_K:
         fit = fit_dielectric(seen, float(s * mirror[-1].mean()))
         return Standin(fit.base, ior=max(index_of(fit.beside[0]), 1.0), delta_e=(fit.delta_e_mean,) * 2, **surface)
@@ -68,11 +71,7 @@ def standin(record):
 
 def _slope(parameters):
     """The rms slope of all facets together."""
-    return sum(w * m * m for m, w in parameters.slopes) ** 0.5
-
-
-def _turned(parameters):
-    return {name: getattr(parameters, name, 0.0) for name in ("anisotropy", "rotation")}
+    return (sum(w * m * m for m, w in parameters.slopes) / sum(w for _, w in parameters.slopes)) ** 0.5
 
 
 def _lost(parameters):
@@ -80,6 +79,13 @@ def _lost(parameters):
     return (LOST["facets"], LOST["slopes"]) if len(parameters.slopes) > 1 else (LOST["facets"],)
 
 
+def shape(parameters):
+    """What the surface adds to a Bake, for other programs."""
+    p = parameters
+    return {"slopes": p.slopes, "specular": p.specular, "diffuse": tuple(map(float, dyed(p)[2])),
+            "anisotropy": p.anisotropy, "rotation": p.rotation}
+
+
 def _of_the_surface(parameters):
     held = parameters.to_dict()
-    return {name: held[name] for name in ("specular", "slopes", "distribution")}
+    return {name: held[name] for name in ("specular", "roughness", "slopes", "anisotropy", "rotation", "distribution")}
