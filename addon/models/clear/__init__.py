@@ -31,9 +31,9 @@ def _swatch(record, columns):
     return swatch(record, columns)
 
 
-def _principled(record):
-    from .forms import principled
-    return principled(record)
+def _standin(record):
+    from .forms import standin
+    return standin(record)
 
 
 MODEL = Model(
@@ -60,7 +60,7 @@ MODEL = Model(
     forms={"json": Form("JSON", "Everything that was baked", ".json")},
     write_form=_write_form,
     swatch=_swatch,
-    principled=_principled,
+    standin=_standin,
     measured=True,
     refracts=True,
 )
