@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from .measured import Fit
     from .models.record import Record
 
-__all__ = ["MODELS", "REALISATIONS", "bake", "create_fresnel_ramp", "create_material", "export", "fit", "principled_twin",
-           "rebake", "record_of", "switch_realisation"]
+__all__ = ["MODELS", "REALISATIONS", "bake", "create_fresnel_ramp", "create_material", "export", "fit",
+           "principled_twin", "rebake", "record_of", "switch_realisation"]
 
 MODELS = models.names()
 
