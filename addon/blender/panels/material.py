@@ -64,6 +64,8 @@ def draw_state(layout, context, material):
     """How a material of ours renders and what it lacks for that, or why it cannot be changed."""
     if material is not None and why_locked(material):
         draw_sentence(layout, why_locked(material), "LIBRARY_DATA_DIRECT", context.region)
+        if our_node(material) is not None:
+            layout.operator("facet_film.make_local", icon="LIBRARY_DATA_OVERRIDE_NONEDITABLE")
     realisation = realisation_of(material)
     if realisation is None:
         return

@@ -372,11 +372,15 @@ TEXTS = {
         "液体",
     "Lower Normal":
         "下层法线",
+    "Make Local":
+        "本地化",
     "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
     "baking textures, for other engines and exporters. The material itself stays in the file":
         "创建一个由单个原理化 BSDF 构成、最接近此材质的材质，并放到其位置：用于烘焙纹理、其他引擎和导出器。原材质保留在文件中",
     "Make the active material slot the material that you saved":
         "将活动材质槽设为已保存的材质",
+    "Make this linked or overridden material the file's own: changes in its library no longer arrive":
+        "将此关联或覆盖的材质变为此文件自有：其库中的更改不再同步",
     "Match Working Space":
         "匹配工作色彩空间",
     "Material":
@@ -663,12 +667,17 @@ TEXTS = {
         "此文件没有带测量数据的材质：请先烘焙预设",
     "This file is no preset of Facet & Film.":
         "此文件不是 Facet & Film 的预设。",
+    "This material is the file's own already":
+        "此材质已是此文件自有",
     "Time":
         "时间",
     "Tint":
         "染色",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
+    "Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as they were "
+    "rendered, so nothing can be verified: use one that has a role for data, or start Blender without it.":
+        "在此 OpenColorIO 配置下，像素从 OpenEXR 文件读回后与渲染时不同，因此无法验证：请使用带有数据角色的配置，或不使用它启动 Blender。",
     "Update Materials":
         "更新材质",
     "Usual":
@@ -883,6 +892,8 @@ TEXTS = {
         "{:s} 已拟合，CIEDE2000 平均 {:.2f}：{:s}",
     "{:s} is linked: update it in {:s}":
         "{:s} 是链接的：请在 {:s} 中更新",
+    "{:s} is the file's own now":
+        "{:s} 现为此文件自有",
     "{:s} renders by {:s}":
         "{:s} 的渲染方式：{:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":

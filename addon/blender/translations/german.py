@@ -377,6 +377,8 @@ TEXTS = {
         "Flüssigkeiten",
     "Lower Normal":
         "Untere Normale",
+    "Make Local":
+        "Lokal machen",
     "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
     "baking textures, for other engines and exporters. The material itself stays in the file":
         "Ein Material aus einem Principled BSDF machen, das diesem am nächsten kommt, und an seine Stelle "
@@ -384,6 +386,9 @@ TEXTS = {
         "Datei",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
+    "Make this linked or overridden material the file's own: changes in its library no longer arrive":
+        "Dieses verknüpfte oder überschriebene Material zum eigenen der Datei machen: Änderungen in seiner "
+        "Bibliothek kommen nicht mehr an",
     "Match Working Space":
         "An Arbeitsfarbraum anpassen",
     "Material":
@@ -673,12 +678,19 @@ TEXTS = {
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
+    "This material is the file's own already":
+        "Dieses Material gehört der Datei schon",
     "Time":
         "Zeit",
     "Tint":
         "Tönung",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
+    "Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as they were "
+    "rendered, so nothing can be verified: use one that has a role for data, or start Blender without it.":
+        "Mit dieser OpenColorIO-Konfiguration kommen Pixel nicht so aus einer OpenEXR-Datei zurück, wie sie "
+        "gerendert wurden, also lässt sich nichts prüfen: eine mit einer Rolle für Daten nehmen oder Blender "
+        "ohne sie starten.",
     "Update Materials":
         "Materialien aktualisieren",
     "Usual":
@@ -893,6 +905,8 @@ TEXTS = {
         "{:s} angepasst, CIEDE2000 im Mittel {:.2f}: {:s}",
     "{:s} is linked: update it in {:s}":
         "{:s} ist verknüpft: in {:s} aktualisieren",
+    "{:s} is the file's own now":
+        "{:s} gehört jetzt der Datei",
     "{:s} renders by {:s}":
         "{:s} rendert mit: {:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
