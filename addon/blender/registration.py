@@ -31,9 +31,10 @@ __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *measurements.CLASSES, *fit_brdf.CLASSES,
            *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES, *make_local.CLASSES, *match_space.CLASSES,
-           *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES,
-           *verify.CLASSES, *material.CLASSES, *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES,
-           *asset_library_panel.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
+           *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *add_group.CLASSES,
+           *apply_to_node.CLASSES, *verify.CLASSES, *material.CLASSES, *versions.CLASSES, *measurement.CLASSES,
+           *material.LAST_CLASSES, *asset_library_panel.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES,
+           *preferences.CLASSES)
 ATTACHED = (translations, settings, material, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []
