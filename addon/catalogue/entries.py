@@ -82,7 +82,8 @@ def thumbnail(name):
     >>> thumbnail("copper").name
     'copper.webp'
     """
-    return THUMBNAILS / f"{name}.webp"
+    file = THUMBNAILS / f"{name}.webp"
+    return file if file.exists() else file.with_suffix(".png")
 
 
 def forget():
