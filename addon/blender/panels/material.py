@@ -146,13 +146,14 @@ class FACET_FILM_PT_data(MaterialPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        """Import, paste, export, check, compare."""
+        """Import, paste, fit, export, check, compare."""
         settings = context.window_manager.facet_film
         column = self.layout.column(align=True)
         for name, icon in (("import", "FILEBROWSER"), ("paste", "PASTEDOWN")):
             operator = column.operator(f"facet_film.{name}_constants", icon=icon)
             operator.realisation = settings.realisation
             copy_viewing(settings, operator)
+        column.operator("facet_film.fit_brdf", icon="SHADING_RENDERED").realisation = settings.realisation
         column.menu("FACET_FILM_MT_export", icon="EXPORT")
         column.operator("facet_film.principled_twin", icon="MATERIAL")
         column = self.layout.column(align=True)
