@@ -5,6 +5,8 @@ from typing import Any
 
 from ..catalogue.resolving import resolve
 from ..errors import FacetFilmError, choice
+from ..finishes import find as find_finish
+from ..finishes.feeding import require_takes, surface, takes
 from . import DEFAULT, named, names
 from .model import Renderer
 from .record import Record, Source
@@ -14,11 +16,11 @@ USUAL = "usual"
 ANY_RENDERER = Renderer()
 """The exact formula and Rec.709: what Blender 5 has by default."""
 
-__all__ = ["USUAL", "exported", "made", "rebaked", "renewed", "switched"]
+__all__ = ["USUAL", "exported", "finished", "kept_finish", "made", "rebaked", "renewed", "switched"]
 
 
 def made(model: str | None = None, preset: Any = None, realisation: str = USUAL, renderer: Renderer = ANY_RENDERER,
-         viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
+         viewing: Mapping[str, Any] | None = None, finish: str = "", **parameters: Any) -> Record:
     """The Record of a preset or measurement, with some parameters of one's own.
 
     model        name of a model; by default the preset's
@@ -26,7 +28,8 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     realisation  one that the model has; by default the preset's own, as "dispersive" of diamond, else "fast"
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
-    parameters   of the model, over the preset's own
+    finish       name of a finish, over the preset's own slopes; "" for those
+    parameters   of the model, over the preset's own and the finish's
 
     Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
 
@@ -41,14 +44,19 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     if realisation == USUAL:
         realisation = _usual(chosen, resolved)
     choice("realisation", realisation, chosen.realisations)
+    done = find_finish(finish) if finish else None
+    if done:
+        require_takes(chosen)
+        parameters = _over(surface(done, chosen), parameters)
+    finish = done.name if done else ""
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
-        return _with_group(Record(chosen.name, realisation, "", 0, checked), chosen)
+        return _with_group(Record(chosen.name, realisation, "", 0, checked, finish=finish), chosen)
     _require_of(chosen, resolved)
     options = _viewing(chosen, resolved, renderer, viewing)
     baked = chosen.bake(resolved, options, realisation, renderer)
     checked = chosen.parameters().changed(**baked.parameters).changed(**parameters)
-    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts)
+    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts, finish)
     return _with_group(record, chosen, baked.variant)
 
 
@@ -90,6 +98,43 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
     return _with_group(found, model, baked.variant)
 
 
+def finished(record: Record, finish: str) -> Record:
+    """The Record with another finish; "" takes it off, and the surface is the preset's own again.
+
+    Raises FacetFilmError for an unknown finish, and for a model without a roughness.
+
+    >>> glass = finished(made(preset="window_glass"), "sandblasted")
+    >>> glass.finish, round(glass.parameters.roughness, 2)
+    ('sandblasted', 0.55)
+    """
+    model = named(record.model)
+    require_takes(model)
+    if finish:
+        found = find_finish(finish)
+        set_by_it = surface(found, model)
+    else:
+        found, set_by_it = None, _own_surface(record, model)
+    return record.changed(parameters=record.parameters.changed(**set_by_it), finish=found.name if found else "",
+                          controls={})
+
+
+def kept_finish(record: Record, new: Record) -> Record:
+    """A new Record with another one's finish as it was changed there; as it is where its model takes none.
+
+    >>> glass = made(preset="window_glass", finish="smudged")
+    >>> kept_finish(glass, made(preset="diamond")).finish, kept_finish(glass, made(preset="nacre")).finish
+    ('smudged', '')
+    """
+    model = named(new.model)
+    if not record.finish or not takes(model):
+        return new
+    done = find_finish(record.finish)
+    own = record.parameters.to_dict()
+    set_by_it = {name: getattr(record.parameters, name) if name in own else value
+                 for name, value in surface(done, model).items()}
+    return new.changed(parameters=new.parameters.changed(**set_by_it), finish=done.name, controls=record.controls)
+
+
 def renewed(record: Record, renderer: Renderer = ANY_RENDERER) -> Record:
     """A Record from elsewhere for this renderer: groups of this version, and baked again where its numbers are for
     another.
@@ -109,6 +154,20 @@ def exported(record: Record, form: str) -> str:
     if model.measured and not record.measured:
         raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
     return model.write_form(form, record)
+
+
+def _over(set_by_finish, given):
+    """{parameter: value} of a finish, with those given in their place; a roughness says the slopes otherwise."""
+    if "roughness" in given:
+        set_by_finish = {name: value for name, value in set_by_finish.items() if name != "slopes"}
+    return {**set_by_finish, **given}
+
+
+def _own_surface(record, model):
+    """{parameter: value} of what a finish sets, as the record's preset has it, or by default the model."""
+    usual = model.parameters()
+    stated = resolve(record.source.meant()).preset.parameters if record.source else {}
+    return {name: stated.get(name, getattr(usual, name)) for name in surface(find_finish("satin"), model)}
 
 
 def _with_group(record, model, variant=0):

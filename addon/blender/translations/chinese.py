@@ -17,6 +17,10 @@ TEXTS = {
         "检查只接受其中之一：n 与 k、带或不带色调的 F0、一种材质。",
     "A file to write is named by its path, not by {path!r}.":
         "要写入的文件须以路径指定，而不是 {path!r}。",
+    "A finish is called by its name, such as 'brushed', not {value!r}.":
+        "表面处理以名称称呼，例如 'brushed'，而不是 {value!r}。",
+    "A finish varies the roughness, which {model} has not: name a material of another model, or no finish.":
+        "表面处理改变粗糙度，而 {model} 没有粗糙度：请选择其他模型的材质，或不用表面处理。",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "材质须为预设名称或数据集标识，而不是 {value!r}。",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
@@ -53,16 +57,26 @@ TEXTS = {
         "将材质与节点组作为库添加到资产浏览器（偏好设置，文件路径）",
     "Alloys":
         "合金",
+    "Amount":
+        "数量",
+    "An even sheen without marks":
+        "均匀的光泽，没有痕迹",
+    "An even, fine grain, for Roughness and Normal":
+        "均匀细腻的颗粒，用于粗糙度和法线",
     "Another Version":
         "其他版本",
     "Apply":
         "应用",
+    "Apply Finish":
+        "应用表面处理",
     "Apply Saved Preset":
         "应用已保存的预设",
     "Apply a material of Facet & Film first: there is nothing to save":
         "请先应用 Facet & Film 材质：没有可保存的内容",
     "Apply to Node":
         "应用到节点",
+    "As smooth or rough as the preset says":
+        "光滑或粗糙程度由预设决定",
     "Asset Library":
         "资产库",
     "At 0°":
@@ -83,6 +97,8 @@ TEXTS = {
         "在 {place!r} 处：外部材料写在一条竖线之前，此处有多条竖线。",
     "At {place!r}: {why}":
         "在 {place!r} 处：{why}",
+    "Axis":
+        "轴",
     "Azimuth":
         "方位角",
     "Bake Spectral Preset":
@@ -109,6 +125,12 @@ TEXTS = {
         "正在烘焙 {:s}，还剩 {:d} 个   （按 Esc 停止）",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "将此文件中由旧版 Facet & Film 创建的材质更新；所有数值与连线保留",
+    "Brushed":
+        "拉丝",
+    "Brushed Circular":
+        "环形拉丝",
+    "Brushed, Circular":
+        "拉丝，环形",
     "CIE standard observer":
         "CIE 标准观察者",
     "CIEDE2000 at most {:.2f}":
@@ -117,6 +139,8 @@ TEXTS = {
         "曲线的 CSV",
     "CSV of the Spectrum":
         "光谱的 CSV",
+    "Cast":
+        "铸造",
     "Cauchy b":
         "柯西 b",
     "Cauchy c":
@@ -189,8 +213,16 @@ TEXTS = {
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Drained":
         "排液",
+    "Dull and tarnished, rubbed bright at the edges":
+        "暗淡失泽，边缘磨亮",
+    "Edge Roughness":
+        "边缘粗糙度",
     "Edge Tint":
         "边缘色调",
+    "Edge Width":
+        "边缘宽度",
+    "Edges rubbed bright, for Roughness and Tint":
+        "磨亮的边缘，用于粗糙度和染色",
     "Every parameter":
         "所有参数",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -239,6 +271,14 @@ TEXTS = {
         "薄膜热着色",
     "Film Thickness":
         "薄膜厚度",
+    "Fine scratches, for Roughness and Normal":
+        "细划痕，用于粗糙度和法线",
+    "Fingerprints":
+        "指纹",
+    "Fingerprints and wipe marks, for Roughness":
+        "指纹和擦痕，用于粗糙度",
+    "Finish":
+        "表面处理",
     "First Thickness":
         "起始厚度",
     "Fit":
@@ -255,6 +295,8 @@ TEXTS = {
         "高斯 c",
     "Give a preset that you saved another name":
         "为已保存的预设改名",
+    "Give this material another finish; what it is made of stays":
+        "为此材质换一种表面处理；其材料不变",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
     "Glasses":
@@ -267,6 +309,8 @@ TEXTS = {
         "最大厚度",
     "Group":
         "组",
+    "Hammered":
+        "锤纹",
     "How the formula becomes a Cycles material":
         "公式如何成为 Cycles 材质",
     "IOR":
@@ -309,6 +353,8 @@ TEXTS = {
         "保留",
     "Left out, as they take no materials or are linked: {:s}":
         "已略过（不接受材质或为链接数据）：{:s}",
+    "Length":
+        "长度",
     "Light":
         "光",
     "Light and Gamut":
@@ -327,6 +373,8 @@ TEXTS = {
         "材质",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "材质：预设名称，或数据集如 main/Cu/Johnson。输入即可搜索",
+    "Matt, with an even, fine grain":
+        "哑光，颗粒均匀细腻",
     "Measured Material":
         "实测材质",
     "Measurement":
@@ -375,10 +423,18 @@ TEXTS = {
         "色域外：{:s}，通道最多改变 {:.3f}",
     "Oxides":
         "氧化物",
+    "Parallel streaks, and highlights drawn out across them":
+        "平行纹路，高光横向拉长",
+    "Parallel streaks, for Roughness, Normal and Tangent":
+        "平行纹路，用于粗糙度、法线和切线",
     "Parameters":
         "参数",
     "Paste Measurement":
         "粘贴测量数据",
+    "Pits":
+        "凹坑",
+    "Polished":
+        "抛光",
     "Polymers":
         "聚合物",
     "Preset":
@@ -391,10 +447,14 @@ TEXTS = {
         "要比较的预设或数据集",
     "Preset or dataset to compare with":
         "用于比较的预设或数据集",
+    "Preset's Own":
+        "预设自带",
     "Presets":
         "预设",
     "Published Scale":
         "原文尺度",
+    "Randomness":
+        "随机性",
     "Re-bake":
         "重新烘焙",
     "Re-bake All Materials":
@@ -425,6 +485,8 @@ TEXTS = {
         "以另一种实现方式渲染此材质；所有数值与连线保留",
     "Renders by {:s}":
         "渲染方式：{:s}",
+    "Rough, 1982":
+        "粗糙，1982",
     "Roughness":
         "糙度",
     "Rows":
@@ -433,6 +495,10 @@ TEXTS = {
         "需在第二个 Blender 中运行，而作为 Python 模块的 Blender 没有：请运行 python -m addon verify",
     "Sampling Width":
         "采样宽度",
+    "Sandblasted":
+        "喷砂",
+    "Satin":
+        "缎面",
     "Save Preset":
         "保存预设",
     "Save the active material under a name of your own, or delete a saved one":
@@ -443,6 +509,10 @@ TEXTS = {
         "场景比例",
     "Scene-linear space that the colours are written in":
         "写入颜色所用的场景线性空间",
+    "Scratch Roughness":
+        "划痕粗糙度",
+    "Scratched":
+        "划痕",
     "See-through":
         "透视",
     "See-through Shadows":
@@ -455,6 +525,10 @@ TEXTS = {
         "请先选择物体：预设将烘焙到其活动材质槽",
     "Semiconductors":
         "半导体",
+    "Shallow dimples side by side, each with its own highlight":
+        "浅凹窝相邻排列，各有高光",
+    "Shallow dimples, for Roughness and Normal":
+        "浅凹窝，用于粗糙度和法线",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
@@ -469,6 +543,18 @@ TEXTS = {
         "斜率 4",
     "Small fields of view; what displays are calibrated for":
         "小视场；显示器据此校准",
+    "Smooth, with clear reflections that are soft at their edges":
+        "光滑，反射清晰，边缘柔和",
+    "Smooth, with fine scratches in all directions":
+        "光滑，带有各方向的细划痕",
+    "Smooth, with fingerprints and the marks of wiping":
+        "光滑，带有指纹和擦痕",
+    "Smudge Roughness":
+        "污迹粗糙度",
+    "Smudged":
+        "污迹",
+    "Softness":
+        "柔和度",
     "Specular":
         "镜面",
     "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
@@ -477,6 +563,10 @@ TEXTS = {
         "以原生闭包实现的薄膜堆叠，每个通道一个波瓣：按光源采样，适用于所有设备",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
+    "Streaks in circles, as from a lathe or on the foot of a pan":
+        "环形纹路，如车床加工或锅底",
+    "Streaks in circles, for Roughness, Normal and Tangent":
+        "环形纹路，用于粗糙度、法线和切线",
     "Sulphides":
         "硫化物",
     "Switch Realisation":
@@ -485,6 +575,8 @@ TEXTS = {
         "将该库从资产浏览器移除；已拖入的内容保留",
     "Tangent":
         "切线",
+    "Tarnish":
+        "失泽",
     "Temperature":
         "温度",
     "Texture":
@@ -493,6 +585,8 @@ TEXTS = {
         "纹理占比",
     "The Papers' Figures":
         "论文中的图",
+    "The coarse, dull skin of a sand mould, with pits":
+        "砂型铸造的粗糙暗淡表皮，带凹坑",
     "The colour inside that looks most alike, by CIEDE2000":
         "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -534,6 +628,8 @@ TEXTS = {
         "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
+    "The rough finish of the paper's copper vase":
+        "论文中铜花瓶的粗糙表面",
     "The same with the colours of the rainbow, each refracted by its own index":
         "同上，并带有彩虹色，每种颜色以各自的折射率折射",
     "The scene-linear space of this file":
@@ -542,6 +638,8 @@ TEXTS = {
         "第二个 Blender 以状态 {:d} 结束：{:s}",
     "The shader {shader} does not compile: {why}":
         "着色器 {shader} 无法编译：{why}",
+    "The skin of a sand mould, for Roughness and Normal":
+        "砂型表皮，用于粗糙度和法线",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "厚度须在层堆给定的 {low:g} 到 {high:g} nm 之间；现为 {given:g}。",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -574,6 +672,8 @@ TEXTS = {
         "此文件没有带测量数据的材质：请先烘焙预设",
     "This file is no preset of Facet & Film.":
         "此文件不是 Facet & Film 的预设。",
+    "This model has no roughness that a finish could vary":
+        "此模型没有可由表面处理改变的粗糙度",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Time":
@@ -582,6 +682,8 @@ TEXTS = {
         "染色",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
+    "Unevenness":
+        "不均匀度",
     "Update Materials":
         "更新材质",
     "Usual":
@@ -602,6 +704,8 @@ TEXTS = {
         "电压",
     "Wavelengths":
         "波长",
+    "Wear":
+        "磨损",
     "Weight 1":
         "权重 1",
     "Weight 2":
@@ -625,14 +729,22 @@ TEXTS = {
         "用于渲染测试样本的设备",
     "What to write":
         "写入的内容",
+    "What was done to the surface":
+        "表面经过怎样的处理",
     "Which group to add":
         "要添加的组",
     "Which presets to show pictures of":
         "显示哪些预设的图片",
+    "Width":
+        "宽度",
+    "Wipe Marks":
+        "擦痕",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench 只显示视图颜色：请在渲染属性中选择 Cycles",
     "Working Space":
         "工作空间",
+    "Worn Edges":
+        "磨损边缘",
     "Write the active material as its node holds it now: JSON, CSV or MaterialX":
         "按节点当前的内容写出活动材质：JSON、CSV 或 MaterialX",
     "Wrote {:s}":
@@ -677,6 +789,8 @@ TEXTS = {
         "正午直射阳光（已弃用），4874 K",
     "equal energy":
         "等能",
+    "finish":
+        "表面处理",
     "fluorescent, D65 simulator, 6510 K":
         "荧光灯，D65 模拟器，6510 K",
     "halophosphate fluorescent, 2930 K":
@@ -776,6 +890,8 @@ TEXTS = {
         "{:s} 已被手动编辑，保持原样",
     "{:s} was made by a newer Facet & Film: install that one to change it":
         "{:s} 由较新的 Facet & Film 制作：请安装该版本以修改",
+    "{:s}: finish {:s}":
+        "{:s}：表面处理 {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}：版本 {:d}，现为 {:d}",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":

@@ -17,6 +17,11 @@ TEXTS = {
         "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
     "A file to write is named by its path, not by {path!r}.":
         "Eine Datei zum Schreiben heißt nach ihrem Pfad, nicht {path!r}.",
+    "A finish is called by its name, such as 'brushed', not {value!r}.":
+        "Eine Oberfläche wird mit ihrem Namen genannt, etwa 'brushed', nicht {value!r}.",
+    "A finish varies the roughness, which {model} has not: name a material of another model, or no finish.":
+        "Eine Oberfläche verändert die Rauheit, die {model} nicht hat: Nennen Sie ein Material eines anderen Modells "
+        "oder keine Oberfläche.",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "Ein Material ist der Name einer Voreinstellung oder die Kennung eines Datensatzes, nicht {value!r}.",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
@@ -54,16 +59,26 @@ TEXTS = {
         "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
     "Alloys":
         "Legierungen",
+    "Amount":
+        "Menge",
+    "An even sheen without marks":
+        "Ein gleichmäßiger Glanz ohne Spuren",
+    "An even, fine grain, for Roughness and Normal":
+        "Ein gleichmäßiges, feines Korn, für Rauheit und Normale",
     "Another Version":
         "Andere Version",
     "Apply":
         "Anwenden",
+    "Apply Finish":
+        "Oberfläche anwenden",
     "Apply Saved Preset":
         "Gespeicherte Voreinstellung anwenden",
     "Apply a material of Facet & Film first: there is nothing to save":
         "Erst ein Material von Facet & Film anwenden: Es gibt nichts zu speichern",
     "Apply to Node":
         "Auf Node anwenden",
+    "As smooth or rough as the preset says":
+        "So glatt oder rau, wie die Voreinstellung sagt",
     "Asset Library":
         "Asset-Bibliothek",
     "At 0°":
@@ -86,6 +101,8 @@ TEXTS = {
         "Bei {place!r}: Was außen ist, steht vor einem senkrechten Strich, und hier sind mehrere.",
     "At {place!r}: {why}":
         "Bei {place!r}: {why}",
+    "Axis":
+        "Achse",
     "Azimuth":
         "Azimut",
     "Bake Spectral Preset":
@@ -112,6 +129,12 @@ TEXTS = {
         "Backt {:s}, noch {:d}   (Esc bricht ab)",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "Bringt Materialien dieser Datei von einem älteren Facet & Film auf den neuen Stand; alle Werte und Verbindungen bleiben",
+    "Brushed":
+        "Gebürstet",
+    "Brushed Circular":
+        "Kreisförmig gebürstet",
+    "Brushed, Circular":
+        "Gebürstet, kreisförmig",
     "CIE standard observer":
         "CIE-Normalbeobachter",
     "CIEDE2000 at most {:.2f}":
@@ -120,6 +143,8 @@ TEXTS = {
         "CSV der Kurve",
     "CSV of the Spectrum":
         "CSV des Spektrums",
+    "Cast":
+        "Gegossen",
     "Cauchy b":
         "Cauchy b",
     "Cauchy c":
@@ -192,8 +217,16 @@ TEXTS = {
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Drained":
         "Abgelaufen",
+    "Dull and tarnished, rubbed bright at the edges":
+        "Matt und angelaufen, an den Kanten blank gerieben",
+    "Edge Roughness":
+        "Rauheit der Kanten",
     "Edge Tint":
         "Randtönung",
+    "Edge Width":
+        "Breite der Kanten",
+    "Edges rubbed bright, for Roughness and Tint":
+        "Blank geriebene Kanten, für Rauheit und Tönung",
     "Every parameter":
         "Alle Parameter",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -242,6 +275,14 @@ TEXTS = {
         "Film Anlauffarbe",
     "Film Thickness":
         "Filmdicke",
+    "Fine scratches, for Roughness and Normal":
+        "Feine Kratzer, für Rauheit und Normale",
+    "Fingerprints":
+        "Fingerabdrücke",
+    "Fingerprints and wipe marks, for Roughness":
+        "Fingerabdrücke und Wischspuren, für die Rauheit",
+    "Finish":
+        "Oberfläche",
     "First Thickness":
         "Erste Dicke",
     "Fit":
@@ -258,6 +299,8 @@ TEXTS = {
         "Gauß c",
     "Give a preset that you saved another name":
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
+    "Give this material another finish; what it is made of stays":
+        "Gibt diesem Material eine andere Oberfläche; woraus es besteht, bleibt",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
     "Glasses":
@@ -270,6 +313,8 @@ TEXTS = {
         "Größte Dicke",
     "Group":
         "Gruppe",
+    "Hammered":
+        "Gehämmert",
     "How the formula becomes a Cycles material":
         "Wie die Formel zu einem Cycles-Material wird",
     "IOR":
@@ -312,6 +357,8 @@ TEXTS = {
         "Belassen",
     "Left out, as they take no materials or are linked: {:s}":
         "Ausgelassen, da sie keine Materialien nehmen oder verknüpft sind: {:s}",
+    "Length":
+        "Länge",
     "Light":
         "Licht",
     "Light and Gamut":
@@ -330,6 +377,8 @@ TEXTS = {
         "Material",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "Material: Name einer Voreinstellung, oder ein Datensatz wie main/Cu/Johnson. Tippen sucht",
+    "Matt, with an even, fine grain":
+        "Matt, mit gleichmäßigem, feinem Korn",
     "Measured Material":
         "Gemessenes Material",
     "Measurement":
@@ -379,10 +428,18 @@ TEXTS = {
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
     "Oxides":
         "Oxide",
+    "Parallel streaks, and highlights drawn out across them":
+        "Parallele Striche, und Glanzlichter quer zu ihnen gezogen",
+    "Parallel streaks, for Roughness, Normal and Tangent":
+        "Parallele Striche, für Rauheit, Normale und Tangente",
     "Parameters":
         "Parameter",
     "Paste Measurement":
         "Messung einfügen",
+    "Pits":
+        "Löcher",
+    "Polished":
+        "Poliert",
     "Polymers":
         "Polymere",
     "Preset":
@@ -395,10 +452,14 @@ TEXTS = {
         "Zu vergleichende Voreinstellung oder Datensatz",
     "Preset or dataset to compare with":
         "Voreinstellung oder Datensatz zum Vergleich",
+    "Preset's Own":
+        "Der Voreinstellung eigene",
     "Presets":
         "Voreinstellungen",
     "Published Scale":
         "Veröffentlichte Skala",
+    "Randomness":
+        "Zufälligkeit",
     "Re-bake":
         "Neu backen",
     "Re-bake All Materials":
@@ -429,6 +490,8 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Rough, 1982":
+        "Rau, 1982",
     "Roughness":
         "Rauheit",
     "Rows":
@@ -437,6 +500,10 @@ TEXTS = {
         "Läuft in einem zweiten Blender, das Blender als Python-Modul fehlt: python -m addon verify aufrufen",
     "Sampling Width":
         "Abtastbreite",
+    "Sandblasted":
+        "Sandgestrahlt",
+    "Satin":
+        "Seidenglanz",
     "Save Preset":
         "Voreinstellung speichern",
     "Save the active material under a name of your own, or delete a saved one":
@@ -447,6 +514,10 @@ TEXTS = {
         "Maßstab der Szene",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
+    "Scratch Roughness":
+        "Rauheit der Kratzer",
+    "Scratched":
+        "Zerkratzt",
     "See-through":
         "Durchsichtig",
     "See-through Shadows":
@@ -459,6 +530,10 @@ TEXTS = {
         "Erst ein Objekt auswählen: Die Voreinstellung wird in dessen aktiven Materialslot gebacken",
     "Semiconductors":
         "Halbleiter",
+    "Shallow dimples side by side, each with its own highlight":
+        "Flache Dellen nebeneinander, jede mit eigenem Glanzlicht",
+    "Shallow dimples, for Roughness and Normal":
+        "Flache Dellen, für Rauheit und Normale",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
@@ -473,6 +548,18 @@ TEXTS = {
         "Steigung 4",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
+    "Smooth, with clear reflections that are soft at their edges":
+        "Glatt, mit klaren Spiegelungen, deren Ränder weich sind",
+    "Smooth, with fine scratches in all directions":
+        "Glatt, mit feinen Kratzern in allen Richtungen",
+    "Smooth, with fingerprints and the marks of wiping":
+        "Glatt, mit Fingerabdrücken und Wischspuren",
+    "Smudge Roughness":
+        "Rauheit der Schmierflecken",
+    "Smudged":
+        "Verschmiert",
+    "Softness":
+        "Weichheit",
     "Specular":
         "Glanz",
     "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
@@ -481,6 +568,10 @@ TEXTS = {
         "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
+    "Streaks in circles, as from a lathe or on the foot of a pan":
+        "Striche in Kreisen, wie von der Drehbank oder auf einem Topfboden",
+    "Streaks in circles, for Roughness, Normal and Tangent":
+        "Striche in Kreisen, für Rauheit, Normale und Tangente",
     "Sulphides":
         "Sulfide",
     "Switch Realisation":
@@ -489,6 +580,8 @@ TEXTS = {
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
         "Tangente",
+    "Tarnish":
+        "Anlauf",
     "Temperature":
         "Temperatur",
     "Texture":
@@ -497,6 +590,8 @@ TEXTS = {
         "Texturanteil",
     "The Papers' Figures":
         "Abbildungen der Veröffentlichungen",
+    "The coarse, dull skin of a sand mould, with pits":
+        "Die grobe, matte Haut einer Sandform, mit Löchern",
     "The colour inside that looks most alike, by CIEDE2000":
         "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -539,6 +634,8 @@ TEXTS = {
         "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
+    "The rough finish of the paper's copper vase":
+        "Die raue Oberfläche der Kupfervase aus der Veröffentlichung",
     "The same with the colours of the rainbow, each refracted by its own index":
         "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
@@ -547,6 +644,8 @@ TEXTS = {
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The skin of a sand mould, for Roughness and Normal":
+        "Die Haut einer Sandform, für Rauheit und Normale",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -579,6 +678,8 @@ TEXTS = {
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
+    "This model has no roughness that a finish could vary":
+        "Dieses Modell hat keine Rauheit, die eine Oberfläche verändern könnte",
     "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
         "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Time":
@@ -587,6 +688,8 @@ TEXTS = {
         "Tönung",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
+    "Unevenness":
+        "Ungleichmäßigkeit",
     "Update Materials":
         "Materialien aktualisieren",
     "Usual":
@@ -607,6 +710,8 @@ TEXTS = {
         "Spannung",
     "Wavelengths":
         "Wellenlängen",
+    "Wear":
+        "Abnutzung",
     "Weight 1":
         "Gewicht 1",
     "Weight 2":
@@ -631,14 +736,22 @@ TEXTS = {
         "Worauf die Proben gerendert werden",
     "What to write":
         "Was geschrieben wird",
+    "What was done to the surface":
+        "Wie die Oberfläche bearbeitet wurde",
     "Which group to add":
         "Welche Gruppe hinzugefügt wird",
     "Which presets to show pictures of":
         "Von welchen Voreinstellungen Bilder gezeigt werden",
+    "Width":
+        "Breite",
+    "Wipe Marks":
+        "Wischspuren",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench zeigt nur die Ansichtsfarbe: In den Render-Eigenschaften Cycles wählen",
     "Working Space":
         "Arbeitsfarbraum",
+    "Worn Edges":
+        "Abgenutzte Kanten",
     "Write the active material as its node holds it now: JSON, CSV or MaterialX":
         "Schreibt das aktive Material, wie sein Node es jetzt enthält: JSON, CSV oder MaterialX",
     "Wrote {:s}":
@@ -683,6 +796,8 @@ TEXTS = {
         "direktes Sonnenlicht am Mittag (überholt), 4874 K",
     "equal energy":
         "energiegleich",
+    "finish":
+        "Oberfläche",
     "fluorescent, D65 simulator, 6510 K":
         "Leuchtstofflampe, D65-Simulator, 6510 K",
     "halophosphate fluorescent, 2930 K":
@@ -781,6 +896,8 @@ TEXTS = {
         "{:s} wurde von Hand geändert und bleibt, wie es ist",
     "{:s} was made by a newer Facet & Film: install that one to change it":
         "{:s} stammt von einem neueren Facet & Film: dieses installieren, um es zu ändern",
+    "{:s}: finish {:s}":
+        "{:s}: Oberfläche {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}: Version {:d}, jetzt {:d}",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":
