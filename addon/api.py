@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -52,7 +53,8 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
                  alone
     realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL),
                  "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of the rainbow);
-                 by default the one that the preset is meant for, else "fast"
+                 by default the one that the preset is meant for, else "fast".  Where Open Shading Language is off,
+                 a material by OSL shows "exact" or "fast" instead, and a warning says so
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
@@ -66,7 +68,8 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     """
     from .blender import compat
     from .blender.datablocks import locked, materials
-    from .models.making import kept_finish, made
+    from .models.finishing import kept_finish
+    from .models.making import made
     if material is not None:
         locked.require_editable(material)
     materials.require_name(name)
@@ -74,6 +77,7 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     if finish is None and materials.our_node(material) is not None:
         record = kept_finish(materials.record_of(material), record)
     _require_osl(record.realisation)
+    _warn_without_osl(record.realisation)
     return materials.create(record, name, material)
 
 
@@ -94,6 +98,7 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     locked.require_editable(material)
     new = switched(record, realisation, compat.renderer())
     _require_osl(realisation)
+    _warn_without_osl(realisation)
     materials.write(material, new)
 
 
@@ -107,7 +112,7 @@ def apply_finish(material: bpy.types.Material, finish: str) -> None:
     one that is not ours or linked.
     """
     from .blender.datablocks import locked, materials
-    from .models.making import finished
+    from .models.finishing import finished
     record = materials.record_of(material)
     locked.require_editable(material)
     materials.write(material, finished(record, finish))
@@ -116,7 +121,7 @@ def apply_finish(material: bpy.types.Material, finish: str) -> None:
 def rebake(material: bpy.types.Material, viewing: Mapping[str, Any] | None = None) -> None:
     """Bake the measurement of one of our materials again; what the user set beside it stays.
 
-    viewing  options of :func:`bake`; by default those it was baked with
+    viewing  options of :func:`bake`; by default those it was baked with, in the file's scene-linear space
 
     Raises FacetFilmError for a material without a measurement, or a linked one.
     """
@@ -162,3 +167,13 @@ def _require_osl(realisation):
     from .nodes.osl_compiler import require_osl
     if REALISATIONS[realisation].osl:
         require_osl()
+
+
+def _warn_without_osl(realisation):
+    """Tell the script that called what the open scene shows in place of an OSL script, where it runs none."""
+    import bpy
+
+    from .blender.missing import why_no_script_runs
+    why = why_no_script_runs(bpy.context.scene, realisation)
+    if why:
+        warnings.warn(why, stacklevel=3)

@@ -13,6 +13,7 @@ from .operators import (
     check,
     export,
     finish,
+    match_space,
     measurements,
     realisation,
     rebake_all,
@@ -27,9 +28,9 @@ from .panels import load_ahead, material, measurement, node_menu, node_sidebar, 
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *measurements.CLASSES, *export.CLASSES,
-           *check.CLASSES, *rebake_all.CLASSES, *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES,
-           *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES, *material.CLASSES,
-           *finish_panel.CLASSES, *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES,
+           *check.CLASSES, *rebake_all.CLASSES, *match_space.CLASSES, *user_presets.CLASSES, *update.CLASSES,
+           *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES,
+           *material.CLASSES, *finish_panel.CLASSES, *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES,
            *asset_library_panel.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
 ATTACHED = (translations, settings, material, node_menu, imported)
 COMMAND = "facet_film"

@@ -3,9 +3,11 @@
 __all__ = ["CATEGORIES"]
 
 CATEGORIES = {
-    "metal": "Metals", "precious": "Precious Metals", "coating": "Coloured Metals & Coatings",
-    "iridescent": "Iridescent", "glass": "Glass & Gems", "liquid": "Liquids", "plastic": "Plastics & Rubber",
-    "paint": "Paints & Wraps", "fabric": "Paper & Fabric", "stone": "Stone, Earth & Oxides",
-    "figure": "The Papers' Figures",
+    "metal": "Bare metals", "precious": "Bare metals/Precious", "coating": "Coloured metals & coatings",
+    "glass": "Glass & gems", "iridescent": "Iridescent", "liquid": "Liquids", "paint": "Paints & wraps",
+    "fabric": "Paper & fabric", "plastic": "Plastics & rubber", "stone": "Stone, earth & oxides",
+    "figure": "The papers' figures",
 }
-"""A category of the catalogue, in the order in which lists show them -> what people call it."""
+"""A category -> its place in the tree of catalogues, which Blender sorts by the alphabet; what people call it is what
+stands after the last stroke.
+"""

@@ -5,10 +5,10 @@ from typing import Any
 
 from ..catalogue.resolving import resolve
 from ..errors import FacetFilmError, choice
-from ..finishes import find as find_finish
-from ..finishes.feeding import require_takes, surface, takes
 from . import DEFAULT, named, names
+from .finishing import under_finish
 from .model import Renderer
+from .parameters import Colour
 from .record import Record, Source
 
 USUAL = "usual"
@@ -16,7 +16,7 @@ USUAL = "usual"
 ANY_RENDERER = Renderer()
 """The exact formula and Rec.709: what Blender 5 has by default."""
 
-__all__ = ["USUAL", "exported", "finished", "kept_finish", "made", "rebaked", "renewed", "switched"]
+__all__ = ["USUAL", "exported", "made", "rebaked", "renewed", "switched"]
 
 
 def made(model: str | None = None, preset: Any = None, realisation: str = USUAL, renderer: Renderer = ANY_RENDERER,
@@ -28,7 +28,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     realisation  one that the model has; by default the preset's own, as "dispersive" of diamond, else "fast"
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
-    finish       name of a finish, over the preset's own slopes; "" for those
+    finish       name of a finish, over the preset's own surface; "" for that
     parameters   of the model, over the preset's own and the finish's
 
     Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
@@ -44,18 +44,15 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     if realisation == USUAL:
         realisation = _usual(chosen, resolved)
     choice("realisation", realisation, chosen.realisations)
-    done = find_finish(finish) if finish else None
-    if done:
-        require_takes(chosen)
-        parameters = _over(surface(done, chosen), parameters)
-    finish = done.name if done else ""
+    finish, parameters = under_finish(finish, chosen, parameters)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
         return _with_group(Record(chosen.name, realisation, "", 0, checked, finish=finish), chosen)
     _require_of(chosen, resolved)
     options = _viewing(chosen, resolved, renderer, viewing)
     baked = chosen.bake(resolved, options, realisation, renderer)
-    checked = chosen.parameters().changed(**baked.parameters).changed(**parameters)
+    typed = _typed_colours(chosen, resolved, options.get("space", renderer.space))
+    checked = chosen.parameters().changed(**{**baked.parameters, **typed}).changed(**parameters)
     record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts, finish)
     return _with_group(record, chosen, baked.variant)
 
@@ -72,7 +69,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER
     model = named(record.model)
     choice("realisation", realisation, model.realisations)
     if record.measured and model.as_baked(record.parameters, record.baked):
-        return rebaked(record.changed(realisation=realisation), renderer, only=("n", "k"))
+        return rebaked(record.changed(realisation=realisation), renderer, record.viewing, only=("n", "k"))
     _, variant = model.realisation_of(record.group)
     return _with_group(record.changed(realisation=realisation), model, variant)
 
@@ -81,7 +78,7 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
             only: tuple[str, ...] = ()) -> Record:
     """The Record whose measurement is baked again; what the bake does not give stays as the user set it.
 
-    viewing  options of :func:`addon.bake.bake`; by default those it was baked with
+    viewing  options of :func:`addon.bake.bake`; by default those it was baked with, in the renderer's space
     only     the parameters to take from the new bake; by default all that the model bakes
 
     Raises FacetFilmError for a record without a measurement.
@@ -90,7 +87,7 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
         raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
     model = named(record.model)
     resolved = resolve(record.source.meant())
-    options = _viewing(model, resolved, renderer, record.viewing if viewing is None else viewing)
+    options = _viewing(model, resolved, renderer, _same(record, renderer) if viewing is None else viewing)
     baked = model.bake(resolved, options, record.realisation, renderer)
     followed = [name for name, option in model.follows.items() if options[option] != record.viewing.get(option)]
     new = {name: baked.parameters[name] for name in only or (*model.baked_names, *followed)}
@@ -98,41 +95,9 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
     return _with_group(found, model, baked.variant)
 
 
-def finished(record: Record, finish: str) -> Record:
-    """The Record with another finish; "" takes it off, and the surface is the preset's own again.
-
-    Raises FacetFilmError for an unknown finish, and for a model without a roughness.
-
-    >>> glass = finished(made(preset="window_glass"), "sandblasted")
-    >>> glass.finish, round(glass.parameters.roughness, 2)
-    ('sandblasted', 0.55)
-    """
-    model = named(record.model)
-    require_takes(model)
-    if finish:
-        found = find_finish(finish)
-        set_by_it = surface(found, model)
-    else:
-        found, set_by_it = None, _own_surface(record, model)
-    return record.changed(parameters=record.parameters.changed(**set_by_it), finish=found.name if found else "",
-                          controls={})
-
-
-def kept_finish(record: Record, new: Record) -> Record:
-    """A new Record with another one's finish as it was changed there; as it is where its model takes none.
-
-    >>> glass = made(preset="window_glass", finish="smudged")
-    >>> kept_finish(glass, made(preset="diamond")).finish, kept_finish(glass, made(preset="nacre")).finish
-    ('smudged', '')
-    """
-    model = named(new.model)
-    if not record.finish or not takes(model):
-        return new
-    done = find_finish(record.finish)
-    own = record.parameters.to_dict()
-    set_by_it = {name: getattr(record.parameters, name) if name in own else value
-                 for name, value in surface(done, model).items()}
-    return new.changed(parameters=new.parameters.changed(**set_by_it), finish=done.name, controls=record.controls)
+def _same(record, renderer):
+    """The options that a record was baked with, in the renderer's space."""
+    return {**record.viewing, "space": renderer.space}
 
 
 def renewed(record: Record, renderer: Renderer = ANY_RENDERER) -> Record:
@@ -154,20 +119,6 @@ def exported(record: Record, form: str) -> str:
     if model.measured and not record.measured:
         raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
     return model.write_form(form, record)
-
-
-def _over(set_by_finish, given):
-    """{parameter: value} of a finish, with those given in their place; a roughness says the slopes otherwise."""
-    if "roughness" in given:
-        set_by_finish = {name: value for name, value in set_by_finish.items() if name != "slopes"}
-    return {**set_by_finish, **given}
-
-
-def _own_surface(record, model):
-    """{parameter: value} of what a finish sets, as the record's preset has it, or by default the model."""
-    usual = model.parameters()
-    stated = resolve(record.source.meant()).preset.parameters if record.source else {}
-    return {name: stated.get(name, getattr(usual, name)) for name in surface(find_finish("satin"), model)}
 
 
 def _with_group(record, model, variant=0):
@@ -207,6 +158,14 @@ def _what_it_is_made_of(model, resolved, parameters):
         raise FacetFilmError("A preset and {name} both say what the material is made of: give one of them.",
                              name=model.made_of)
     return resolved
+
+
+def _typed_colours(model, resolved, space):
+    """The colours that a preset states, which are linear Rec.709, in a space; without those that the bake works out."""
+    from ..bake.colour import converted
+    stated = {} if resolved.is_own else resolved.preset.parameters
+    return {row.name: converted(stated[row.name], "Rec.709", space) for row in model.parameters.TABLE
+            if isinstance(row, Colour) and row.name in stated and row.name not in model.baked_names}
 
 
 def _viewing(model, resolved, renderer, viewing):

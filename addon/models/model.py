@@ -148,6 +148,8 @@ class Model:
     look          function(parameters, place) -> Look; place is None, or x, y, z on a unit ball, ``(...)`` each
     as_baked      function(parameters, facts) -> whether what was baked is still what the material holds
     baked_names   the parameters that a new bake of the same measurement replaces; all others stay as the user set them
+    respaced      function(parameters, names that the user changed of what was baked, space, other space) ->
+                  {name: value} of them in the other scene-linear space; those that are colours may be left out
     follows       {parameter: option of a bake}: it is replaced, too, by a bake that has another value of the option
     feeds         function(parameters) -> Feeds that stand before its node
     read_feed     function({group's id: ({socket: value}, outputs that are linked)}) -> {parameter's name: value}
@@ -174,6 +176,7 @@ class Model:
     facts: Callable | None = None
     as_baked: Callable = lambda parameters, facts: False
     baked_names: tuple[str, ...] = ()
+    respaced: Callable = lambda parameters, changed, before, after: {}
     follows: Mapping[str, str] = dataclasses.field(default_factory=dict)
     feeds: Callable = lambda parameters: ()
     read_feed: Callable = lambda fed: {}

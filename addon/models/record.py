@@ -10,7 +10,7 @@ from ..finishes.feeding import held as finish_held
 from . import named
 from .parameters import Checked
 
-__all__ = ["FORMAT", "Record", "Source", "baked_in", "finish_in", "is_measured", "from_dict", "from_json"]
+__all__ = ["FORMAT", "Record", "Source", "baked_in", "finish_in", "is_measured", "from_dict", "from_json", "space_in"]
 
 FORMAT = 2
 """Of the JSON; 1 is what 0.1.0 kept, a bare bake without parameters."""
@@ -122,7 +122,13 @@ def finish_in(text: str) -> str:
     return _held(text).get("finish", "")
 
 
-@functools.lru_cache(maxsize=16)
+def space_in(text: str) -> str:
+    """The scene-linear space that was baked for, alone, of a material's JSON; "" where none was."""
+    held = _held(text)
+    return held["viewing"].get("space", "") if "format" in held else held.get("space", "")
+
+
+@functools.lru_cache(maxsize=256)
 def _held(text):
     """What the JSON holds; {} for what is none, and for what a newer version wrote."""
     try:

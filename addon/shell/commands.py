@@ -109,16 +109,17 @@ def swatch_command(options):
 
 def search_command(options):
     """The materials that fit some words."""
-    from ..catalogue.search import search
+    from ..catalogue.search import look_up
     number("--limit", options.limit, 1)
     words = " ".join(options.text)
-    found = search(words, options.limit)
+    found = look_up(words, options.limit)
+    entries = [*found.materials, *found.measurements][:options.limit]
     if options.json:
-        return _json([vars(entry) for entry in found])
-    if not found:
+        return _json([entry._asdict() for entry in entries])
+    if not entries:
         raise FacetFilmError(
             f"Nothing fits {words!r}; try a material, an author or a formula, such as 'gold babar'.")
-    return shown.found(found)
+    return shown.found(found, options.limit)
 
 
 def check_command(options):

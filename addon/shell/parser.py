@@ -68,7 +68,8 @@ def parser():
     command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender "
                        "and hold the pixels against the formulas", _add_report)
     command.add_argument("--device", default="CPU", metavar="NAME",
-                         help="CPU (the default), or GPU: what the preferences switch on")
+                         help="CPU (the default); GPU: what the preferences switch on; or CUDA, OPTIX, HIP, METAL, "
+                              "ONEAPI")
     command.add_argument("--only", metavar="GROUP", help="one model's name, or data")
     return parser
 

@@ -33,13 +33,24 @@ def illuminants(titles):
     return columns(list(titles.items()))
 
 
-def found(entries):
-    """A line a material that a search found.
+def found(results, limit):
+    """A line a material that a search found, and a line a measurement below them.
 
-    entries  addon.catalogue.search.Found
+    results  addon.catalogue.search.Results
     """
-    return columns([(entry.id, entry.title, entry.kind,
-                     "" if entry.covers_visible else "part of the visible only") for entry in entries])
+    said = [f"Nothing is called {results.missing!r}. The nearest:"] if results.missing else []
+    materials = results.materials[:limit]
+    measurements = results.measurements[:limit - len(materials)]
+    if materials:
+        said.append(columns([(entry.id, entry.title, entry.kind, _covered(entry)) for entry in materials]))
+    if measurements:
+        rows = [(entry.id, entry.title, entry.kind, _covered(entry)) for entry in measurements]
+        said += ["Measurements:", columns(rows, "  ")]
+    return "\n".join(said)
+
+
+def _covered(entry):
+    return "" if entry.covers_visible else "part of the visible only"
 
 
 def baked(bake):

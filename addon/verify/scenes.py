@@ -125,7 +125,7 @@ def render(scene, seed=0):
         scene.render.filepath = os.path.join(folder, "probe.exr")
         bpy.ops.render.render(write_still=True)
         image = bpy.data.images.load(scene.render.filepath)
-        image.colorspace_settings.name = "Non-Color"
+        image.colorspace_settings.is_data = True
         width, height = image.size
         pixels = np.empty(width * height * image.channels, np.float32)
         image.pixels.foreach_get(pixels)

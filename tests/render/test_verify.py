@@ -128,6 +128,7 @@ def test_nothing_checked_is_not_green():
 
 @pytest.mark.parametrize("words, sentence", [
     (["--device", "GPU"], "device GPU needs one"), (["--device", "TPU"], "device 'TPU' is unknown"),
+    (["--device", "CUDA"], "device CUDA: Blender finds none"),
     (["--only", "layerd_rgb"], "did you mean 'layered_rgb'"), (["-o", "nowhere/report.html"], "does not exist")])
 def test_what_cannot_be_verified_is_said(words, sentence, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

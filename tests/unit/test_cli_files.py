@@ -58,11 +58,13 @@ def test_forms_are_shown_or_written(folder, capsys):
 
 
 def test_a_spectrum_goes_out_and_comes_back(capsys):
-    assert main(["bake", "gold", "--spectrum-csv", "-o", "gold.csv"]) == 0
+    assert main(["bake", "copper", "--spectrum-csv", "-o", "copper.csv"]) == 0
     capsys.readouterr()
-    assert main(["bake", "gold.csv", "--json"]) == 0
-    record, theirs = json.loads(capsys.readouterr().out), bake("gold").to_dict()
-    assert record["f0"] == theirs["f0"] and record["conductor"] == theirs["conductor"]
+    assert main(["bake", "copper.csv", "--json"]) == 0
+    record, theirs = json.loads(capsys.readouterr().out), bake("copper").to_dict()
+    assert record["f0"] == theirs["f0"]
+    for number in ("n", "k"):  # the last bits of a fit are the linear algebra's
+        assert record["conductor"][number] == pytest.approx(theirs["conductor"][number], rel=1e-9)
 
 
 @pytest.mark.parametrize("words", [

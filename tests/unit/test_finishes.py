@@ -8,7 +8,8 @@ from addon import finishes
 from addon.errors import FacetFilmError
 from addon.finishes import feeding
 from addon.models import all_models
-from addon.models.making import finished, kept_finish, made, rebaked, switched
+from addon.models.finishing import finished, kept_finish
+from addon.models.making import made, rebaked, switched
 from addon.models.record import from_dict, from_json
 
 ALL = finishes.all_finishes()

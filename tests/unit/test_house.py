@@ -146,7 +146,7 @@ def test_tests_are_no_package():
 @pytest.mark.parametrize("name", [name for name in FILES if name.startswith("requirements/")])
 def test_every_requirement_is_at_an_exact_version(name):
     for line in text_of(name).splitlines():
-        assert re.fullmatch(r"#.*|-r python-\d\.\d+\.txt|[a-z0-9-]+==[0-9.]+", line), line
+        assert re.fullmatch(r"#.*|-r python-\d\.\d+\.txt|[a-z0-9-]+==[0-9.]+(b[0-9]+|\.post[0-9]+)?", line), line
 
 
 def test_built_files_are_not_kept():

@@ -6,6 +6,7 @@ from pathlib import Path
 import bpy
 
 from ... import finishes, models
+from ...models.realisations import REALISATIONS
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .pictures import image_in, image_of, key_of, put_image
 
@@ -67,6 +68,8 @@ def node_group(identifier, image=None):
         return _merged(same, group, image)
     tree = _from_library(group) or build_group(identifier)
     if FINGERPRINT_KEY not in tree:
+        if group.osl:
+            _show_without_osl(tree, node_group(_without_osl(model, group), image))
         if group.stand_in:
             _add_eevee_output(tree, node_group(group.stand_in, image))
         mark(tree, group)
@@ -132,18 +135,51 @@ def _from_library(group):
 
 def _add_eevee_output(tree, fast):
     """Give the group a second shader, Fast with the same inputs, for an EEVEE material output."""
-    output = next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
-    inputs = tree.nodes.new("NodeGroupInput")
-    stand_in = tree.nodes.new("ShaderNodeGroup")
-    stand_in.node_tree = fast
-    stand_in.location = (output.location.x - 260, output.location.y - 300)
-    inputs.location = (stand_in.location.x - 260, stand_in.location.y)
-    for name in input_names(fast):
-        tree.links.new(_output_named(inputs, tree, name), socket_named(stand_in, name))
+    output = _output_of(tree)
+    stand_in = _nested(tree, fast, output.location.y - 300)
     item = tree.interface.new_socket(EEVEE_OUTPUT, description="The Fast realisation, for an EEVEE material output",
                                      in_out="OUTPUT", socket_type="NodeSocketShader")
     target = next(socket for socket in output.inputs if socket.identifier == item.identifier)
     tree.links.new(stand_in.outputs[0], target)
+
+
+def _show_without_osl(tree, other):
+    """Have a group show another one with the same inputs in place of its script, where no script runs.
+
+    There the script's output Runs does not exist, and what it is linked to keeps a value of its own: 0.
+    """
+    output = _output_of(tree)
+    script = next(node for node in tree.nodes if node.bl_idname == "ShaderNodeScript")
+    mix = tree.nodes.new("ShaderNodeMixShader")
+    mix.location = output.location
+    output.location.x += 200
+    fac, without, with_osl = mix.inputs
+    fac.default_value = 0.0
+    tree.links.new(script.outputs["Runs"], fac)
+    tree.links.new(_nested(tree, other, output.location.y - 600).outputs[0], without)
+    tree.links.new(script.outputs["BSDF"], with_osl)
+    tree.links.new(mix.outputs[0], output.inputs[0])
+
+
+def _without_osl(model, group):
+    """The id of the group that shows what the script of this one does."""
+    realisation, variant = model.realisation_of(group.identifier)
+    return model.group_of(REALISATIONS[realisation].without_osl, variant).identifier
+
+
+def _output_of(tree):
+    return next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
+
+
+def _nested(tree, group, height):
+    """A node of a group in another one, fed by its inputs of the same names."""
+    inputs, node = tree.nodes.new("NodeGroupInput"), tree.nodes.new("ShaderNodeGroup")
+    node.node_tree = group
+    node.location = (_output_of(tree).location.x - 260, height)
+    inputs.location = (node.location.x - 260, height)
+    for name in input_names(group):
+        tree.links.new(_output_named(inputs, tree, name), socket_named(node, name))
+    return node
 
 
 def group_id(tree):

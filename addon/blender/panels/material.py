@@ -6,7 +6,8 @@ from bpy.app.translations import pgettext_iface as iface_
 from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import is_measured, model_of, our_node, realisation_of
-from ..operators.realisation import shown_name, what_is_missing
+from ..datablocks.spaces import said_of_space
+from ..missing import shown_name, what_is_missing
 from ..operators.targets import active_material
 from ..operators.user_presets import draw_header
 from ..settings import copy_viewing
@@ -66,6 +67,7 @@ def draw_state(layout, context, material):
     realisation = realisation_of(material)
     if realisation is None:
         return
+    draw_space(layout, context, material)
     missing = what_is_missing(context.scene, realisation)
     if missing:
         draw_sentence(layout, missing, "ERROR", context.region)
@@ -76,6 +78,14 @@ def draw_state(layout, context, material):
                            text=iface_("Renders by {:s}").format(shown_name(realisation)))
     if is_measured(material):
         copy_viewing(context.window_manager.facet_film, row.operator("facet_film.rebake", icon="FILE_REFRESH"))
+
+
+def draw_space(layout, context, material):
+    """That a material is for another working space than the file's, and the button for all such; else nothing."""
+    said = said_of_space(material)
+    if said:
+        draw_sentence(layout, said, "ERROR", context.region)
+        layout.operator("facet_film.match_space", icon="COLOR")
 
 
 class FACET_FILM_PT_parameters(MaterialPanel, bpy.types.Panel):

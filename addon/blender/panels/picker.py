@@ -61,10 +61,9 @@ def thumbnail_items(kind, chosen):
 
 @functools.cache
 def _of_kind(kind):
-    from ...catalogue.presets import all_presets
-    found = [preset for preset in all_presets().values() if preset.kind == kind]
-    return [(preset.name, preset.title, preset.note, preset_icon(preset.name), number)
-            for number, preset in enumerate(found)]
+    from ...catalogue.entries import entries
+    found = [entry for entry in entries().values() if entry.kind == kind]
+    return [(entry.name, entry.title, "", preset_icon(entry.name), number) for number, entry in enumerate(found)]
 
 
 @functools.cache

@@ -55,6 +55,8 @@ TEXTS = {
         "添加 Facet & Film 节点组；文件中已有的会被复用",
     "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
         "将材质与节点组作为库添加到资产浏览器（偏好设置，文件路径）",
+    "All materials of Facet & Film in this file are in its working space":
+        "此文件中所有 Facet & Film 材质均已处于其工作色彩空间",
     "Alloys":
         "合金",
     "Amount":
@@ -123,6 +125,9 @@ TEXTS = {
         "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
     "Baking {:s}, {:d} more   (Esc stops)":
         "正在烘焙 {:s}，还剩 {:d} 个   （按 Esc 停止）",
+    "Bring all Facet & Film materials that were baked for another working space into this file's: baked "
+    "again, and what you changed moved along. Esc stops it, and then nothing is changed":
+        "将所有为其他工作色彩空间烘焙的 Facet & Film 材质转入此文件的空间：重新烘焙，您更改的内容一并转换。按 Esc 停止，此时不作任何更改",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "将此文件中由旧版 Facet & Film 创建的材质更新；所有数值与连线保留",
     "Brushed":
@@ -369,6 +374,8 @@ TEXTS = {
         "下层法线",
     "Make the active material slot the material that you saved":
         "将活动材质槽设为已保存的材质",
+    "Match Working Space":
+        "匹配工作色彩空间",
     "Material":
         "材质",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
@@ -401,14 +408,16 @@ TEXTS = {
         "法线",
     "OSL Fast":
         "OSL 快速",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
+    "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
+        "OSL 需要 CPU 或 OptiX：在此设备上将显示“{:s}”",
     "Observer":
         "观察者",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
         "当文件包含多项内容或有多种含义时：选择哪一项。含义明确时留空",
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "{word!r} 只有正入射反射率，而层堆需要 n 和 k；请选择另一个数据集。",
+    "Open Shading Language is off: {:s} is shown in its place until you switch it on in the Render properties":
+        "开放着色语言未启用：在渲染属性中启用之前，将显示“{:s}”",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -634,6 +643,9 @@ TEXTS = {
         "同上，并带有彩虹色，每种颜色以各自的折射率折射",
     "The scene-linear space of this file":
         "此文件的场景线性空间",
+    "The scene-linear space of this file has no three primaries; choose another OpenColorIO "
+    "configuration, or name a space.":
+        "此文件的场景线性空间没有三原色；请选择其他 OpenColorIO 配置，或指定一个色彩空间。",
     "The second Blender ended with status {:d}: {:s}":
         "第二个 Blender 以状态 {:d} 结束：{:s}",
     "The shader {shader} does not compile: {why}":
@@ -674,8 +686,6 @@ TEXTS = {
         "此文件不是 Facet & Film 的预设。",
     "This model has no roughness that a finish could vary":
         "此模型没有可由表面处理改变的粗糙度",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
     "Time":
         "时间",
     "Tint":
@@ -751,6 +761,8 @@ TEXTS = {
         "已写入 {:s}",
     "You have saved no preset yet":
         "尚未保存任何预设",
+    "a space of its own":
+        "自定义色彩空间",
     "average daylight (superseded), 6774 K":
         "平均日光（已弃用），6774 K",
     "broadband fluorescent, D50 simulator, 5000 K":
@@ -886,6 +898,8 @@ TEXTS = {
         "{:s} 的渲染方式：{:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
         "{:s} 不接受材质：请选择网格、曲线、曲面、文本或体积",
+    "{:s} was baked for {:s}, but this file's working space is {:s}: its colors are off":
+        "{:s} 是为 {:s} 烘焙的，但此文件的工作色彩空间是 {:s}：其颜色有偏差",
     "{:s} was edited by hand and stays as it is":
         "{:s} 已被手动编辑，保持原样",
     "{:s} was made by a newer Facet & Film: install that one to change it":

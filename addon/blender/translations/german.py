@@ -57,6 +57,8 @@ TEXTS = {
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
     "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
         "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
+    "All materials of Facet & Film in this file are in its working space":
+        "Alle Materialien von Facet & Film in dieser Datei sind in deren Arbeitsfarbraum",
     "Alloys":
         "Legierungen",
     "Amount":
@@ -127,6 +129,11 @@ TEXTS = {
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
         "Backt {:s}, noch {:d}   (Esc bricht ab)",
+    "Bring all Facet & Film materials that were baked for another working space into this file's: baked "
+    "again, and what you changed moved along. Esc stops it, and then nothing is changed":
+        "Alle Materialien von Facet & Film, die für einen anderen Arbeitsfarbraum gebacken wurden, in den "
+        "dieser Datei bringen: neu gebacken, und was du geändert hast, kommt mit. Esc bricht ab, dann ist "
+        "nichts geändert",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "Bringt Materialien dieser Datei von einem älteren Facet & Film auf den neuen Stand; alle Werte und Verbindungen bleiben",
     "Brushed":
@@ -373,6 +380,8 @@ TEXTS = {
         "Untere Normale",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
+    "Match Working Space":
+        "An Arbeitsfarbraum anpassen",
     "Material":
         "Material",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
@@ -405,8 +414,8 @@ TEXTS = {
         "Normale",
     "OSL Fast":
         "OSL schnell",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
+    "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
+        "OSL braucht die CPU oder OptiX: auf diesem Gerät wird stattdessen {:s} gezeigt",
     "Observer":
         "Beobachter",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
@@ -414,6 +423,8 @@ TEXTS = {
     "Of {word!r} only the normal reflectance is known, and a stack needs n and k; choose another dataset.":
         "Von {word!r} ist nur die senkrechte Reflexion bekannt, ein Stapel braucht aber n und k; anderen "
         "Datensatz wählen.",
+    "Open Shading Language is off: {:s} is shown in its place until you switch it on in the Render properties":
+        "Open Shading Language ist aus: {:s} wird stattdessen gezeigt, bis es in den Render-Eigenschaften eingeschaltet wird",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
@@ -640,6 +651,10 @@ TEXTS = {
         "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
+    "The scene-linear space of this file has no three primaries; choose another OpenColorIO "
+    "configuration, or name a space.":
+        "Der szenenlineare Farbraum dieser Datei hat keine drei Primärfarben; wähle eine andere "
+        "OpenColorIO-Konfiguration oder nenne einen Farbraum.",
     "The second Blender ended with status {:d}: {:s}":
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
@@ -680,8 +695,6 @@ TEXTS = {
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
     "This model has no roughness that a finish could vary":
         "Dieses Modell hat keine Rauheit, die eine Oberfläche verändern könnte",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
     "Time":
         "Zeit",
     "Tint":
@@ -758,6 +771,8 @@ TEXTS = {
         "{:s} geschrieben",
     "You have saved no preset yet":
         "Es ist noch keine Voreinstellung gespeichert",
+    "a space of its own":
+        "einem eigenen Farbraum",
     "average daylight (superseded), 6774 K":
         "mittleres Tageslicht (überholt), 6774 K",
     "broadband fluorescent, D50 simulator, 5000 K":
@@ -892,6 +907,8 @@ TEXTS = {
         "{:s} rendert mit: {:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
         "{:s} nimmt keine Materialien: ein Mesh, eine Kurve, Fläche, Text oder ein Volumen auswählen",
+    "{:s} was baked for {:s}, but this file's working space is {:s}: its colors are off":
+        "{:s} wurde für {:s} gebacken, der Arbeitsfarbraum dieser Datei ist aber {:s}: seine Farben stimmen nicht",
     "{:s} was edited by hand and stays as it is":
         "{:s} wurde von Hand geändert und bleibt, wie es ist",
     "{:s} was made by a newer Facet & Film: install that one to change it":

@@ -41,6 +41,11 @@ def _principled(record):
     return principled(record)
 
 
+def _respaced(parameters, changed, before, after):
+    from .baking import respaced
+    return respaced(parameters, changed, before, after)
+
+
 def _as_baked(parameters, facts):
     """Whether n and k are still those that were fitted."""
     found, baked = (*parameters.n, *parameters.k), (*facts["conductor"]["n"], *facts["conductor"]["k"])
@@ -62,9 +67,10 @@ MODEL = Model(
         Group("cook_torrance_exact", "Cook-Torrance Exact", 1, "exact.build",
               "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device",
               stand_in="cook_torrance_fast"),
-        Group("cook_torrance_osl", "Cook-Torrance OSL", 2, "osl.build",
-              "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast", osl=True),
-        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 2, "osl.build_fast",
+        Group("cook_torrance_osl", "Cook-Torrance OSL", 3, "osl.build",
+              "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast",
+              osl=True),
+        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 3, "osl.build_fast",
               "Native closures from an OSL script", stand_in="cook_torrance_fast", osl=True, in_menu=False),
     ),
     realisations={
@@ -79,6 +85,7 @@ MODEL = Model(
     look=_look,
     as_baked=_as_baked,
     baked_names=("n", "k", "diffuse"),
+    respaced=_respaced,
     forms={
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),

@@ -3,14 +3,16 @@
 import numpy as np
 
 from ...bake import bake
-from ...bake.colour import rgb_to_xyz
-from ...bake.reflected import AT_NORMAL, Viewing, reflect
+from ...bake.baking import conductor_of_curve
+from ...bake.colour import rgb_to_xyz, space_to_space
+from ...bake.gamut import map_colours
+from ...bake.reflected import ANGLES, AT_NORMAL, Viewing, reflect
 from ...reflectance import fresnel
 from ..model import Baked, Look
 from ..realisations import REALISATIONS
 from .parameters import CookTorrance
 
-__all__ = ["bake_for", "diffuse_colour", "facts", "look"]
+__all__ = ["bake_for", "diffuse_colour", "facts", "look", "respaced"]
 
 FAR_OFF = 1.0
 """CIEDE2000 from which a conductor's fit is given up where F82 comes closer."""
@@ -85,6 +87,20 @@ def diffuse_colour(source, baked):
     else:
         rgb = np.linalg.solve(rgb_to_xyz(viewing.space), rgb_to_xyz("Rec.709") @ np.array(source, float))
     return tuple(viewing.map(rgb)[0].tolist())
+
+
+def respaced(parameters, changed, before, after):
+    """{"n": …, "k": …} in another space, where someone changed either: the pair whose curve looks most like theirs.
+
+    parameters  a CookTorrance
+    changed     names of what was changed
+    """
+    if not {"n", "k"} & changed:
+        return {}
+    n, k = np.array(parameters.n), np.array(parameters.k)
+    rgb = fresnel.conductor(ANGLES[:, None], n, k) @ space_to_space(before, after).T
+    new = conductor_of_curve(map_colours(rgb, "nearest", after)[0], n, k, after)
+    return {"n": new.n, "k": new.k}
 
 
 def look(parameters):
