@@ -2,8 +2,8 @@
 
 A finish says how rough a surface is and, where it leaves marks, which node group varies that over the surface.  It goes
 on the materials of every model whose table has a roughness.  What makes its group is a module here with a TABLE of
-inputs, what it DRIVES, and a build(); inputs and outputs that bear the name of a socket of the material's own group are
-that socket's: the group takes its value and gives it back, varied.
+inputs, what it DRIVES, and a build().  DRIVES names sockets of the material's own group: an output of the group feeds
+each, and where it has an input of the same name, that takes the socket's value and gives it back, varied.
 """
 
 from ..models.model import Group

@@ -45,7 +45,7 @@ def surface(finish, model):
 def feeds(record):
     """The Feed of a Record's finish before its node, as a tuple; () where the finish leaves no marks.
 
-    Where the group has an input that is called as one of the material's own, it gets that one's value.
+    Where the group has an input for what it drives, that gets the material's own value.
     """
     finish = record.finish and find(record.finish)
     if not finish or not finish.group:
@@ -54,7 +54,7 @@ def feeds(record):
     sockets = {socket.name for socket in model.sockets(record.realisation)}
     defaults = _defaults(marks)
     shared = {name: value for name, value in model.written(record.parameters, record.realisation).items()
-              if name in defaults and name in sockets}
+              if name in defaults and name in marks.DRIVES}
     links = {name: name for name in marks.DRIVES if name in sockets}
     return (Feed(finish.group, {**defaults, **finish.controls, **record.controls, **shared}, links),)
 

@@ -7,7 +7,7 @@ from ..errors import FacetFilmError, choice
 
 __all__ = ["Finish", "all_finishes", "find", "names", "of_group"]
 
-WARD = "G. J. Ward, Measuring and Modeling Anisotropic Reflection, SIGGRAPH 1992, Table 1"
+WARD = "G. J. Ward, SIGGRAPH 1992, Table 1"
 
 
 @dataclasses.dataclass(frozen=True)

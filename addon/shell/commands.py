@@ -22,7 +22,11 @@ def _json(value):
 
 
 def list_command(options):
-    """The presets of all models, or the illuminants."""
+    """The presets of all models, the finishes, or the illuminants."""
+    if options.what == "finishes":
+        from ..finishes import all_finishes
+        found = all_finishes()
+        return _json([vars(finish) for finish in found]) if options.json else shown.finishes(found)
     if options.what == "illuminants":
         from ..spectra import illuminants
         titles = {name: illuminants.title(name) for name in illuminants.names()}
@@ -56,25 +60,35 @@ def _form(options, resolved):
     """A measured curve in the form that was asked for."""
     from .. import export
     from ..bake import bake
+    from ..models import DEFAULT, named
+    model = named(resolved.preset.model or DEFAULT)
+    finish = _finish_of(model, options)
     baked = bake(resolved, **_given(options, *VIEWING, "formula", "from_normal_reflectance"))
     if options.csv:
         return export.curve_csv(baked).rstrip()
     if options.spectrum_csv:
         return export.spectrum_csv(resolved.constants).rstrip()
     if options.json:
-        from ..models import DEFAULT, named
-        return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
+        return _json({**model.facts(resolved, baked), **finish})
     if options.materialx:
         from ..models.making import made
-        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
+        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING),
+                 finish=options.finish).parameters
         return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse).rstrip()
     return shown.baked(baked)
+
+
+def _finish_of(model, options):
+    """{name: value} of what the finish that was asked for sets."""
+    from ..models.finishing import under_finish
+    name, surface = under_finish(options.finish, model, {})
+    return {"finish": name, **surface} if name else {}
 
 
 def _made(options, resolved):
     """What was baked into a material, in the form that was asked for; of one that was not measured its parameters."""
     from ..models.making import exported, made
-    record = made(preset=resolved, viewing=_given(options, *VIEWING))
+    record = made(preset=resolved, viewing=_given(options, *VIEWING), finish=options.finish)
     form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
     if form and record.measured:
         return exported(record, form).rstrip()

@@ -16,9 +16,9 @@ def parser():
         description="Measured metals and layered films: colours and parameters for Cycles.")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
-    command = _command(commands, "list", work.list_command, "list the presets, or the illuminants")
-    command.add_argument("what", nargs="?", choices=("presets", "illuminants"), default="presets",
-                         help="presets (the default) or illuminants")
+    command = _command(commands, "list", work.list_command, "list the presets, finishes or illuminants")
+    command.add_argument("what", nargs="?", choices=("presets", "finishes", "illuminants"),
+                         default="presets", help="presets (the default), finishes or illuminants")
 
     command = _command(commands, "bake", work.bake_command, "colours over angle and fitted parameters of a material",
                        _add_forms)
@@ -27,6 +27,8 @@ def parser():
     _add_viewing_options(command)
     _add_choose_option(command)
     _add_formula_option(command)
+    command.add_argument("--finish", default="", metavar="NAME",
+                         help="what was done to the surface, as brushed; in JSON and MaterialX: see list finishes")
     command.add_argument("--from-normal-reflectance", action="store_true",
                          help="from the normal reflectance alone, k = 0 (Cook and Torrance 1982)")
 

@@ -1,6 +1,7 @@
 """What the shell's commands print for people."""
 
-__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "record", "spread", "swatch", "ways"]
+__all__ = ["baked", "checked", "columns", "finishes", "found", "illuminants", "presets", "record", "spread", "swatch",
+           "ways"]
 
 SHOWN_DEGREES = (0, 30, 60, 75, 80, 85, 89)
 CHANNELS = ("red", "green", "blue")
@@ -23,6 +24,15 @@ def record(made):
     rows = [(name, " ".join(f"{x:g}" for x in value) if isinstance(value, list) else str(value))
             for name, value in made.parameters.to_dict().items()]
     return "\n".join([f"{made.title} ({made.model})", columns(rows, "  "), "  " + made.baked["note"]])
+
+
+def finishes(found):
+    """A line a finish.
+
+    found  Finishes
+    """
+    return columns([(finish.name, finish.title, " ".join(f"{m:g}" for m, _ in finish.slopes),
+                     f"{finish.anisotropy:g}" if finish.anisotropy else "", finish.source) for finish in found])
 
 
 def illuminants(titles):

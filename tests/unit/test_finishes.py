@@ -69,7 +69,8 @@ def test_a_table_decides_which_models_take_finishes():
         made(preset="nacre", finish="brushed")
 
 
-@pytest.mark.parametrize("name, near", [("bruhsed", "brushed"), ("sandblastet", "sandblasted"), ("hamered", "hammered")])
+@pytest.mark.parametrize("name, near", [
+    ("bruhsed", "brushed"), ("sandblastet", "sandblasted"), ("hamered", "hammered")])
 def test_an_unknown_finish_is_one_sentence_with_the_nearest(name, near):
     with pytest.raises(FacetFilmError, match=f"finish '{name}' is unknown; did you mean '{near}'"):
         made(preset="window_glass", finish=name)

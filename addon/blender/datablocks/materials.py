@@ -120,8 +120,9 @@ def _write_feeds(tree, node, there, feeds):
 
 def _remove_feed(tree, node, feed):
     """Take a feed away; what was plugged into an input of the same name as the node's goes back to that."""
+    fed = {link.to_socket.name for link in tree.links if link.from_node == feed and link.to_node == node}
     back = [(link.from_socket, link.to_socket.name) for link in tree.links
-            if link.to_node == feed and link.to_socket.name in input_names(node.node_tree)]
+            if link.to_node == feed and link.to_socket.name in fed]
     tree.nodes.remove(feed)
     for source, name in back:
         tree.links.new(source, socket_named(node, name))

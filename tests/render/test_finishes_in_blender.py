@@ -67,7 +67,8 @@ def test_a_group_varies_what_it_drives_about_what_it_was_given(identifier):
 
 
 @pytest.mark.parametrize("identifier, none", [
-    ("finish_brushed", {"Unevenness": 0.0, "Depth": 0.0}), ("finish_brushed_circular", {"Unevenness": 0.0, "Depth": 0.0}),
+    ("finish_brushed", {"Unevenness": 0.0, "Depth": 0.0}),
+    ("finish_brushed_circular", {"Unevenness": 0.0, "Depth": 0.0}),
     ("finish_cast", {"Unevenness": 0.0, "Depth": 0.0}), ("finish_sandblasted", {"Unevenness": 0.0, "Depth": 0.0}),
     ("finish_scratched", {"Amount": 0.0})])
 def test_controls_at_zero_leave_the_surface_as_it_was(identifier, none):
