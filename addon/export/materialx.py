@@ -10,6 +10,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 from ..errors import FacetFilmError
+from ..reflectance.slopes import along_across
 
 __all__ = ["materialx", "COLOUR_SPACES"]
 
@@ -17,13 +18,14 @@ COLOUR_SPACES = {"Rec.709": "lin_rec709", "Rec.2020": "lin_rec2020", "ACEScg": "
 """MaterialX's names; Rec.2020 is not in its standard list, applications know it by their own."""
 
 
-def materialx(bake, *, slopes, specular=1.0, diffuse=(0.0, 0.0, 0.0)):
+def materialx(bake, *, slopes, specular=1.0, diffuse=(0.0, 0.0, 0.0), anisotropy=0.0, rotation=0.0):
     """MaterialX 1.39 text with two materials of a Bake, "NAME_conductor" and "NAME_f82".
 
     bake       a Bake whose n and k are for the formula "exact", which MaterialX evaluates
     slopes     (m, w) pairs: rms slope of the facets, and its share
     specular   the mirror's share s; the rest is diffuse
     diffuse    linear RGB of π·Rd
+    anisotropy, rotation  of the slopes, and of the tangent that they are along, in turns
 
     color82 of generalized_schlick_bsdf is the F82 tint: a factor on Schlick's
     curve at cos θ = 1/7, as in Kutz, Hašan and Edmondson 2021.  Raises
@@ -40,7 +42,8 @@ def materialx(bake, *, slopes, specular=1.0, diffuse=(0.0, 0.0, 0.0)):
     root.append(ElementTree.Comment(" " + _comment(bake) + " "))
     name = re.sub(r"\W", "_", bake.name, flags=re.ASCII)
     name = name if re.match("[A-Za-z]", name) else "material_" + name
-    surface = (slopes, specular, diffuse)
+    stretched = [(tuple(map(float, along_across(m, anisotropy))), w) for m, w in slopes]
+    surface = (stretched, specular, diffuse, _turned(root, name, rotation) if anisotropy and rotation else None)
     _material(root, f"{name}_conductor", "conductor_bsdf", surface, [
         ("ior", "color3", bake.conductor.n, {"colorspace": "none"}),
         ("extinction", "color3", bake.conductor.k, {"colorspace": "none"})])
@@ -62,12 +65,14 @@ def _comment(bake):
 
 def _material(root, name, mirror, surface, fresnel):
     """Append one material: its lobes, their sum, surface and surfacematerial."""
-    slopes, specular, diffuse = surface
+    slopes, specular, diffuse, tangent = surface
     lobes = []
-    for j, (m, w) in enumerate(slopes, 1):
+    for j, (along_and_across, w) in enumerate(slopes, 1):
         inputs = [("weight", "float", (specular * w,), {}), *fresnel,
-                  ("roughness", "vector2", (m, m), {})]
+                  ("roughness", "vector2", along_and_across, {})]
         lobes.append(_node(root, mirror, f"{name}_lobe_{j}", "BSDF", inputs))
+        if tangent:
+            ElementTree.SubElement(root[-1], "input", name="tangent", type="vector3", nodename=tangent)
     if specular < 1.0:
         lobes.append(_node(root, "oren_nayar_diffuse_bsdf", f"{name}_diffuse", "BSDF", [
             ("weight", "float", (1.0 - specular,), {}), ("color", "color3", diffuse, {})]))
@@ -76,6 +81,19 @@ def _material(root, name, mirror, surface, fresnel):
         total = _linked(root, "add", f"{name}_sum_{j}", "BSDF", "BSDF", in1=total, in2=lobe)
     surface = _linked(root, "surface", f"{name}_surface", "surfaceshader", "BSDF", bsdf=total)
     _linked(root, "surfacematerial", name, "material", "surfaceshader", surfaceshader=surface)
+
+
+def _turned(root, name, rotation):
+    """Append the tangent, turned about the normal; its name."""
+    for kind in ("tangent", "normal"):
+        ElementTree.SubElement(root, kind, name=f"{name}_{kind}", type="vector3")
+    turned = f"{name}_turned_tangent"
+    node = ElementTree.SubElement(root, "rotate3d", name=turned, type="vector3")
+    for input_name, of_type, source in (("in", "vector3", {"nodename": f"{name}_tangent"}),
+                                        ("amount", "float", {"value": f"{360.0 * rotation:.6g}"}),
+                                        ("axis", "vector3", {"nodename": f"{name}_normal"})):
+        ElementTree.SubElement(node, "input", name=input_name, type=of_type, **source)
+    return turned
 
 
 def _node(root, kind, name, output, inputs):

@@ -143,6 +143,7 @@ class Model:
     realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one
                   first}
     evaluate      function(parameters, n, v, l) -> the whole BRDF in 1/sr, ``(..., 3)``, of unit directions ``(..., 3)``
+                  and, where the surface has a direction of its own, a tangent, by default around the z axis
     facts         function(resolved preset, addon.bake.Bake) -> all that was baked, ready for JSON; for measurements
     bake          function(resolved preset, viewing options, realisation, Renderer) -> Baked
     look          function(parameters, place) -> Look; place is None, or x, y, z on a unit ball, ``(...)`` each

@@ -10,6 +10,8 @@ __all__ = ["bake_command", "check_command", "list_command", "search_command", "s
 SHOWN_COLOURS = 9
 """Of a strip, in a table or JSON."""
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
+SURFACE = ("finish", "roughness", "tint", "anisotropy", "rotation")
+FORMS = ("json", "csv", "spectrum_csv", "materialx")
 
 
 def _given(options, *names):
@@ -44,7 +46,11 @@ def bake_command(options):
     from ..catalogue.resolving import resolve
     from ..export import write_text
     resolved = resolve(options.material, options.choose)
-    written = _form(options, resolved) if _is_a_curve(resolved) else _made(options, resolved)
+    surface = _given(options, *SURFACE)
+    if _is_a_curve(resolved) and not surface:
+        written = _form(options, resolved)
+    else:
+        written = _made(options, resolved, surface)
     if options.output is None:
         return written
     return "Wrote " + write_text(options.output, written + "\n")
@@ -60,36 +66,32 @@ def _form(options, resolved):
     """A measured curve in the form that was asked for."""
     from .. import export
     from ..bake import bake
-    from ..models import DEFAULT, named
-    model = named(resolved.preset.model or DEFAULT)
-    finish = _finish_of(model, options)
     baked = bake(resolved, **_given(options, *VIEWING, "formula", "from_normal_reflectance"))
     if options.csv:
         return export.curve_csv(baked).rstrip()
     if options.spectrum_csv:
         return export.spectrum_csv(resolved.constants).rstrip()
     if options.json:
-        return _json({**model.facts(resolved, baked), **finish})
+        from ..models import DEFAULT, named
+        return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
     if options.materialx:
         from ..models.making import made
-        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING),
-                 finish=options.finish).parameters
-        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse).rstrip()
+        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
+        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse,
+                                anisotropy=p.anisotropy, rotation=p.rotation).rstrip()
     return shown.baked(baked)
 
 
-def _finish_of(model, options):
-    """{name: value} of what the finish that was asked for sets."""
-    from ..models.finishing import under_finish
-    name, surface = under_finish(options.finish, model, {})
-    return {"finish": name, **surface} if name else {}
+def _made(options, resolved, surface):
+    """What was baked into a material, in the form that was asked for; of one that was not measured its parameters.
 
-
-def _made(options, resolved):
-    """What was baked into a material, in the form that was asked for; of one that was not measured its parameters."""
+    surface  {parameter: value} that takes the place of the preset's own
+    """
     from ..models.making import exported, made
-    record = made(preset=resolved, viewing=_given(options, *VIEWING), finish=options.finish)
-    form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
+    record = made(preset=resolved, viewing=_given(options, *VIEWING), **surface)
+    form = next((form for form in FORMS if getattr(options, form) and (surface or form != "json")), None)
+    if form == "json" and not record.measured:
+        return _json(record.to_dict())
     if form and record.measured:
         return exported(record, form).rstrip()
     if form:

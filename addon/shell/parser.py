@@ -25,10 +25,9 @@ def parser():
     command.add_argument("material", metavar=MATERIAL,
                          help="a preset, a dataset of the database, or a file of your own measurements")
     _add_viewing_options(command)
+    _add_surface_options(command)
     _add_choose_option(command)
     _add_formula_option(command)
-    command.add_argument("--finish", default="", metavar="NAME",
-                         help="what was done to the surface, as brushed; in JSON and MaterialX: see list finishes")
     command.add_argument("--from-normal-reflectance", action="store_true",
                          help="from the normal reflectance alone, k = 0 (Cook and Torrance 1982)")
 
@@ -121,6 +120,18 @@ def _add_viewing_options(command, gamut=True):
                              help="for colours outside: nearest, unless told otherwise; desaturate, scale, clip, leave")
         command.add_argument("--medium", default=argparse.SUPPRESS, metavar="N|NAME",
                              help="what the surface is in: an index such as 1.33, or a clear material such as water")
+
+
+def _add_surface_options(command):
+    """Of the surface, in place of the preset's own."""
+    command.add_argument("--finish", default=argparse.SUPPRESS, metavar="NAME",
+                         help="what was done to the surface, as brushed: see list finishes")
+    for name, what in (("--roughness", "0 to 1, the root of the rms slope m"),
+                       ("--anisotropy", "0 to below 1: slopes longer along the tangent than across it"),
+                       ("--rotation", "0 to 1 turns of the tangent")):
+        command.add_argument(name, type=float, default=argparse.SUPPRESS, metavar="X", help=what)
+    command.add_argument("--tint", type=float, nargs=3, default=argparse.SUPPRESS, metavar=("R", "G", "B"),
+                         help="dyes what metals and the diffuse part reflect")
 
 
 def _add_choose_option(command):

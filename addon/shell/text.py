@@ -17,13 +17,20 @@ def presets(records):
 
 
 def record(made):
-    """A material that was not measured: its parameters, and what is to be said about it.
+    """A material as its parameters, and what is to be said about it.
 
     made  an addon.models.record.Record
     """
-    rows = [(name, " ".join(f"{x:g}" for x in value) if isinstance(value, list) else str(value))
-            for name, value in made.parameters.to_dict().items()]
-    return "\n".join([f"{made.title} ({made.model})", columns(rows, "  "), "  " + made.baked["note"]])
+    rows = [(name, _words(value)) for name, value in made.parameters.to_dict().items()]
+    return "\n".join([f"{made.title} ({made.model})", columns(rows, "  "),
+                      *(f"  {note}" for note in filter(None, [made.baked.get("note")]))])
+
+
+def _words(value):
+    """A parameter's value; of a list of lists, those between commas."""
+    if not isinstance(value, list):
+        return f"{value:g}" if isinstance(value, float) else str(value)
+    return (", " if value and isinstance(value[0], list) else " ").join(map(_words, value))
 
 
 def finishes(found):

@@ -101,10 +101,11 @@ def raised():
 
 
 def names_of_sockets():
-    """What the panel calls the parameters, as the groups do."""
+    """What the panel calls the parameters, as the groups do, and the closed panels that some of them are in."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    panels = {socket.panel for model in all_models() for row in model.parameters.TABLE for socket in row.sockets()}
     return {name for group in groups.all_groups() if not group.osl
-            for name in groups.input_names(groups.node_group(group.identifier))}
+            for name in groups.input_names(groups.node_group(group.identifier))} | panels - {""}
 
 
 def texts_of_models():

@@ -7,7 +7,7 @@ import pytest
 from addon import finishes
 from addon.errors import FacetFilmError
 from addon.finishes import feeding
-from addon.models import all_models
+from addon.models import all_models, named
 from addon.models.finishing import finished, kept_finish
 from addon.models.making import made, rebaked, switched
 from addon.models.record import from_dict, from_json
@@ -64,7 +64,7 @@ def test_every_input_says_what_it_does(marks):
 
 
 def test_a_table_decides_which_models_take_finishes():
-    assert {"film", "clear"} <= {model.name for model in TAKE}
+    assert {model.name for model in TAKE} == {"cook_torrance", "film", "clear"}
     with pytest.raises(FacetFilmError, match="which Layered RGB has not"):
         made(preset="nacre", finish="brushed")
 
@@ -93,28 +93,34 @@ def test_a_finish_goes_on_any_model_with_a_roughness(model, finish):
 
 
 def test_what_one_gives_goes_over_the_finish():
+    assert made(preset="copper", finish="satin", slopes=[(0.3, 1.0)]).parameters.slopes == ((0.3, 1.0),)
     assert made(preset="anodised_titanium", finish="satin", roughness=0.2).parameters.roughness == 0.2
 
 
+def test_the_papers_finish_is_its_figures():
+    assert made(preset="copper", finish="paper_1982").parameters.slopes \
+        == made(preset="figure_6b").parameters.slopes == ((0.4, 0.4), (0.2, 0.6))
+
+
 def test_the_finish_stays_with_everything_else_that_changes():
-    record = made(preset="anodised_titanium", finish="hammered").changed(controls={"Scale": 9.0})
+    record = made(preset="copper", finish="hammered").changed(controls={"Scale": 9.0})
     for other in (switched(record, "exact"), rebaked(record), from_dict(record.to_dict()),
-                  kept_finish(record, made(preset="window_glass"))):
+                  kept_finish(record, made(preset="gold"))):
         assert (other.finish, other.controls) == ("hammered", {"Scale": 9.0})
     assert finished(record, "cast").controls == {}
 
 
 def test_what_the_nodes_hold_goes_over_what_was_kept():
-    kept = made(preset="anodised_titanium", finish="hammered").to_json()
-    bare = made(preset="anodised_titanium")
+    kept = made(preset="copper", finish="hammered").to_json()
+    bare = made(preset="copper")
     assert from_json(kept, bare.changed(finish="hammered")).finish == "hammered"
     assert from_json(kept, bare.changed(finish="cast")).finish == "cast"
     assert from_json(kept, bare).finish == ""  # someone took its node away
-    assert from_json(made(preset="anodised_titanium", finish="satin").to_json(), bare).finish == "satin"
+    assert from_json(made(preset="copper", finish="satin").to_json(), bare).finish == "satin"
 
 
 def test_a_record_without_a_finish_is_read():
-    held = made(preset="anodised_titanium").to_dict()
+    held = made(preset="copper").to_dict()
     del held["finish"], held["controls"]
     assert from_dict(held).finish == ""
 
@@ -123,3 +129,9 @@ def test_only_changed_controls_are_kept():
     usual = feeding.feeds(made(preset="anodised_titanium", finish="hammered"))[0].values
     assert feeding.changed_controls("finish_hammered", dict(usual), {"Roughness"}) == {}
     assert feeding.changed_controls("finish_hammered", {**usual, "Scale": 9.0}, {"Roughness"}) == {"Scale": 9.0}
+
+
+def test_models_are_asked_by_their_tables():
+    satin = finishes.find("satin")
+    assert "slopes" in feeding.surface(satin, named("cook_torrance"))
+    assert feeding.surface(satin, named("film"))["roughness"] == pytest.approx(0.13 ** 0.5)

@@ -280,13 +280,31 @@ def realisation_of(material):
 # --- Groups of nodes, exchanged ---
 
 def exchange_group(tree, node, group):
-    """Put another version of its group into a node; values and links stay, outputs of the same name too."""
+    """Put another version of its group into a node; values and links stay, outputs of the same name too.
+
+    What the other version holds in sockets of other names is read as parameters.
+    """
     targets = [(link.from_socket.name, link.to_socket) for output in node.outputs for link in output.links]
+    known, values = input_names(node.node_tree), _written_anew(node)
     _set_values(tree, node, group)
+    for name in input_names(group):
+        if name in values and name not in known:
+            socket_named(node, name).default_value = values[name]
     for name, target in targets:
         found = next((output for output in node.outputs if output.name == name), None)
         if found is not None:
             tree.links.new(found, target)
+
+
+def _written_anew(node):
+    """{socket: value} of a node of ours as this version has them; {} for one that renders no material."""
+    if found_in(node.node_tree) is None:
+        return {}
+    model, realisation = found_in(node.node_tree)
+    try:
+        return model.written(record_of_node(node).parameters, realisation)
+    except FacetFilmError:
+        return {}
 
 
 def _set_group(tree, node, group):

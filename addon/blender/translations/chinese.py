@@ -65,6 +65,8 @@ TEXTS = {
         "均匀的光泽，没有痕迹",
     "An even, fine grain, for Roughness and Normal":
         "均匀细腻的颗粒，用于粗糙度和法线",
+    "Anisotropy":
+        "各向异性",
     "Another Version":
         "其他版本",
     "Apply":
@@ -212,6 +214,8 @@ TEXTS = {
         "漫射颜色",
     "Dispersion":
         "色散",
+    "Dispersion Curve":
+        "色散曲线",
     "Dispersive":
         "色散",
     "Does this Blender render the published formulas? Find out on this machine:":
@@ -388,6 +392,8 @@ TEXTS = {
         "测量",
     "Metals":
         "金属",
+    "Model":
+        "模型",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -494,6 +500,8 @@ TEXTS = {
         "以另一种实现方式渲染此材质；所有数值与连线保留",
     "Renders by {:s}":
         "渲染方式：{:s}",
+    "Rotation":
+        "旋转",
     "Rough, 1982":
         "粗糙，1982",
     "Roughness":
@@ -542,14 +550,14 @@ TEXTS = {
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
-    "Slope 1":
-        "斜率 1",
-    "Slope 2":
-        "斜率 2",
-    "Slope 3":
-        "斜率 3",
-    "Slope 4":
-        "斜率 4",
+    "Slope Ratio 2":
+        "斜率比 2",
+    "Slope Ratio 3":
+        "斜率比 3",
+    "Slope Ratio 4":
+        "斜率比 4",
+    "Slopes":
+        "斜率",
     "Small fields of view; what displays are calibrated for":
         "小视场；显示器据此校准",
     "Smooth, with clear reflections that are soft at their edges":
@@ -580,6 +588,8 @@ TEXTS = {
         "硫化物",
     "Switch Realisation":
         "切换实现方式",
+    "Table":
+        "表格",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "将该库从资产浏览器移除；已拖入的内容保留",
     "Tangent":

@@ -67,6 +67,8 @@ TEXTS = {
         "Ein gleichmäßiger Glanz ohne Spuren",
     "An even, fine grain, for Roughness and Normal":
         "Ein gleichmäßiges, feines Korn, für Rauheit und Normale",
+    "Anisotropy":
+        "Anisotropie",
     "Another Version":
         "Andere Version",
     "Apply":
@@ -218,6 +220,8 @@ TEXTS = {
         "Diffuse Farbe",
     "Dispersion":
         "Dispersion",
+    "Dispersion Curve":
+        "Dispersionskurve",
     "Dispersive":
         "Mit Dispersion",
     "Does this Blender render the published formulas? Find out on this machine:":
@@ -394,6 +398,8 @@ TEXTS = {
         "Messung",
     "Metals":
         "Metalle",
+    "Model":
+        "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Native closures from an OSL script: needs Open Shading Language switched on":
@@ -501,6 +507,8 @@ TEXTS = {
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
     "Renders by {:s}":
         "Rendert mit: {:s}",
+    "Rotation":
+        "Drehung",
     "Rough, 1982":
         "Rau, 1982",
     "Roughness":
@@ -549,14 +557,14 @@ TEXTS = {
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
-    "Slope 1":
-        "Steigung 1",
-    "Slope 2":
-        "Steigung 2",
-    "Slope 3":
-        "Steigung 3",
-    "Slope 4":
-        "Steigung 4",
+    "Slope Ratio 2":
+        "Steigungsverhältnis 2",
+    "Slope Ratio 3":
+        "Steigungsverhältnis 3",
+    "Slope Ratio 4":
+        "Steigungsverhältnis 4",
+    "Slopes":
+        "Steigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Smooth, with clear reflections that are soft at their edges":
@@ -587,6 +595,8 @@ TEXTS = {
         "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
+    "Table":
+        "Tabelle",
     "Take the library off the Asset Browser again; what was dragged from it stays":
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":

@@ -6,9 +6,9 @@ from .parameters import CookTorrance
 __all__ = ["MODEL"]
 
 
-def _evaluate(parameters, n, v, l):
+def _evaluate(parameters, n, v, l, tangent=None):
     from .formulas import evaluate
-    return evaluate(parameters, n, v, l)
+    return evaluate(parameters, n, v, l, tangent)
 
 
 def _bake(resolved, viewing, realisation, renderer):
@@ -47,7 +47,7 @@ def _respaced(parameters, changed, before, after):
 
 
 def _as_baked(parameters, facts):
-    """Whether n and k are still those that were fitted."""
+    """Whether n and k are still those that were fitted, under whatever tint."""
     found, baked = (*parameters.n, *parameters.k), (*facts["conductor"]["n"], *facts["conductor"]["k"])
     return all(abs(a - b) <= 1e-5 * max(1.0, abs(b)) for a, b in zip(found, baked))
 
@@ -60,11 +60,11 @@ MODEL = Model(
              "1(1), 1982",
     parameters=CookTorrance,
     groups=(
-        Group("cook_torrance_fast", "Cook-Torrance Fast", 1, "fast.build",
+        Group("cook_torrance_fast", "Cook-Torrance Fast", 2, "fast.build",
               "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE"),
-        Group("cook_torrance_fast_f82", "Cook-Torrance Fast F82", 1, "fast.build_f82",
+        Group("cook_torrance_fast_f82", "Cook-Torrance Fast F82", 2, "fast.build_f82",
               "Cook-Torrance Fast for dielectrics in Blender 4.5, whose conductor Fresnel misses them", in_menu=False),
-        Group("cook_torrance_exact", "Cook-Torrance Exact", 1, "exact.build",
+        Group("cook_torrance_exact", "Cook-Torrance Exact", 2, "exact.build",
               "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device",
               stand_in="cook_torrance_fast"),
         Group("cook_torrance_osl", "Cook-Torrance OSL", 3, "osl.build",

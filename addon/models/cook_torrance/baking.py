@@ -10,6 +10,7 @@ from ...bake.reflected import ANGLES, AT_NORMAL, Viewing, reflect
 from ...reflectance import fresnel
 from ..model import Baked, Look
 from ..realisations import REALISATIONS
+from .formulas import dyed
 from .parameters import CookTorrance
 
 __all__ = ["bake_for", "diffuse_colour", "facts", "look", "respaced"]
@@ -106,6 +107,7 @@ def respaced(parameters, changed, before, after):
 def look(parameters):
     """The Look of a CookTorrance: normal reflectance and diffuse colour, by their shares."""
     p, s = parameters, parameters.specular
-    f0 = fresnel.conductor(1.0, np.array(p.n), np.array(p.k))
-    diffuse = (1.0 - s) * np.array(p.diffuse)
+    n, k, normal_reflectance = dyed(p)
+    f0 = fresnel.conductor(1.0, n, k)
+    diffuse = (1.0 - s) * normal_reflectance
     return Look(s * f0 + diffuse, f0, s, p.slopes[0][0], diffuse)
