@@ -7,6 +7,7 @@ import pytest
 from addon import api, finishes
 from addon.blender.datablocks import groups, materials
 from addon.blender.operators import user_presets
+from addon.blender.operators.apply_to_node import write_preset
 from addon.finishes import feeding
 from tests.render import probes
 
@@ -124,6 +125,12 @@ def test_preset_and_finish_are_two_choices():
     assert (found.finish, found.controls, found.baked["name"]) == ("hammered", {"Scale": 9.0}, "gold")
     api.create_material(preset="gold", material=material, finish="")
     assert api.record_of(material).finish == ""
+
+
+def test_a_preset_written_into_a_node_keeps_its_finish():
+    material = api.create_material(preset="copper", finish="brushed")
+    write_preset(materials.our_node(material), "silver", {}, material)
+    assert api.record_of(material).finish == "brushed" and api.record_of(material).baked["name"] == "silver"
 
 
 def test_the_finish_survives_what_one_does_to_a_material(tmp_path):

@@ -13,6 +13,8 @@ TEXTS = {
         "；两端保持不变",
     "; outside the gamut, mapped by {:s}":
         "；超出色域，映射方式：{:s}",
+    "; the marks of the finish stay in Blender, its roughness is in it":
+        "；表面处理的痕迹留在 Blender 中，其粗糙度已包含",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "检查只接受其中之一：n 与 k、带或不带色调的 F0、一种材质。",
     "A file to write is named by its path, not by {path!r}.":

@@ -13,6 +13,8 @@ TEXTS = {
         "; Enden gehalten",
     "; outside the gamut, mapped by {:s}":
         "; außerhalb des Farbraums, abgebildet mit {:s}",
+    "; the marks of the finish stay in Blender, its roughness is in it":
+        "; die Spuren der Oberfläche bleiben in Blender, ihre Rauheit ist darin",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
     "A file to write is named by its path, not by {path!r}.":

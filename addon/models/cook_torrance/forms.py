@@ -23,7 +23,8 @@ def write_form(form, record):
         return export.curve_csv(baked)
     if form == "materialx":
         return export.materialx(baked, **shape(p))
-    return export.json_text({**baked.to_dict(), "diffuse_rgb": dyed(p)[2].tolist(), **_of_the_surface(p)})
+    return export.json_text({**baked.to_dict(), "diffuse_rgb": dyed(p)[2].tolist(), **_of_the_surface(p),
+                             "finish": record.finish})
 
 
 def baked_for_export(record):
