@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from .bake import Bake
     from .models.record import Record
 
-__all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake",
-           "create_fresnel_ramp", "create_material", "export", "rebake", "record_of", "switch_realisation"]
+__all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake", "create_fresnel_ramp", "create_material",
+           "export", "principled_twin", "rebake", "record_of", "switch_realisation"]
 
 MODELS = models.names()
 FINISHES = finishes.names()
@@ -151,6 +151,21 @@ def export(material: bpy.types.Material, form: str) -> str:
     """
     from .models.making import exported
     return exported(record_of(material), form)
+
+
+def principled_twin(material: bpy.types.Material, name: str | None = None) -> bpy.types.Material:
+    """A new material of one Principled BSDF that comes closest to one of ours, as its node holds it now.
+
+    name  of the new material; by default that of the material and "Principled"
+
+    Fitted for the least CIEDE2000 over the angles that a ball shows; the mean and what is lost stand in its custom
+    properties "facet_film_delta_e" and "facet_film_lost".  For engines and bakers that know no closures of ours.
+
+    Raises FacetFilmError for a material that is not ours.
+    """
+    from .blender.datablocks import materials, principled
+    materials.require_name(name)
+    return principled.twin_of(material, name)
 
 
 def create_fresnel_ramp(preset: Any, **options: Any) -> bpy.types.NodeTree:

@@ -5,6 +5,7 @@ import bpy
 from . import settings, translations
 from .assets import imported, library, thumbnails
 from .datablocks import groups, menu
+from .exporters import usd
 from .operators import (
     add_group,
     apply_to_node,
@@ -15,6 +16,7 @@ from .operators import (
     finish,
     match_space,
     measurements,
+    principled,
     realisation,
     rebake_all,
     update,
@@ -28,11 +30,12 @@ from .panels import load_ahead, material, measurement, node_menu, node_sidebar, 
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *measurements.CLASSES, *export.CLASSES,
-           *check.CLASSES, *rebake_all.CLASSES, *match_space.CLASSES, *user_presets.CLASSES, *update.CLASSES,
-           *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES,
-           *material.CLASSES, *finish_panel.CLASSES, *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES,
-           *asset_library_panel.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
-ATTACHED = (translations, settings, material, node_menu, imported)
+           *check.CLASSES, *rebake_all.CLASSES, *match_space.CLASSES, *principled.CLASSES, *user_presets.CLASSES,
+           *update.CLASSES, *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES,
+           *verify.CLASSES, *material.CLASSES, *finish_panel.CLASSES, *versions.CLASSES, *measurement.CLASSES,
+           *material.LAST_CLASSES, *asset_library_panel.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES,
+           *preferences.CLASSES)
+ATTACHED = (translations, settings, material, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []
 

@@ -11,7 +11,7 @@ from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
-           "input_names", "library_file", "mark", "model_of_group", "node_group", "socket_named"]
+           "input_names", "is_bringing", "library_file", "mark", "model_of_group", "node_group", "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
 """The groups as tools/build_groups.py built them, a file for each: appending one takes milliseconds, building one
@@ -21,6 +21,14 @@ EEVEE_OUTPUT = "EEVEE"
 VERSION_KEY = "facet_film_version"
 FINGERPRINT_KEY = "facet_film_fingerprint_2"
 FINGERPRINT_KEY_0_1_0 = "facet_film_fingerprint"
+
+
+_bringing = []
+
+
+def is_bringing():
+    """Whether a group is being brought in from our own library, and nobody has appended anything."""
+    return bool(_bringing)
 
 
 @functools.lru_cache(maxsize=1)
@@ -126,8 +134,12 @@ def _from_library(group):
     if not file.exists():
         return None
     before = set(bpy.data.libraries)
-    with bpy.data.libraries.load(str(file), link=False) as (_, target):
-        target.node_groups = [group.name]
+    _bringing.append(group)
+    try:
+        with bpy.data.libraries.load(str(file), link=False) as (_, target):
+            target.node_groups = [group.name]
+    finally:
+        _bringing.pop()
     for library in set(bpy.data.libraries) - before:
         bpy.data.libraries.remove(library)  # appending leaves an entry from which nothing is linked
     return target.node_groups[0]

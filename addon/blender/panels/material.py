@@ -152,6 +152,7 @@ class FACET_FILM_PT_data(MaterialPanel, bpy.types.Panel):
             operator.realisation = settings.realisation
             copy_viewing(settings, operator)
         column.menu("FACET_FILM_MT_export", icon="EXPORT")
+        column.operator("facet_film.principled_twin", icon="MATERIAL")
         column = self.layout.column(align=True)
         column.operator("facet_film.check", icon="CHECKMARK").against = settings.preset
         column.operator("facet_film.spread", icon="SORTSIZE").material = settings.preset

@@ -43,6 +43,8 @@ TEXTS = {
         "{films} 层薄膜的层堆有 {indices} 个折射率：外部、各薄膜和基底；给出了 {given} 个。",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
+    "A thickness that varies becomes its middle.":
+        "变化的厚度取其中间值。",
     "A verification is running":
         "验证正在运行",
     "Absorption":
@@ -378,6 +380,9 @@ TEXTS = {
         "液体",
     "Lower Normal":
         "下层法线",
+    "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
+    "baking textures, for other engines and exporters. The material itself stays in the file":
+        "创建一个由单个原理化 BSDF 构成、最接近此材质的材质，并放到其位置：用于烘焙纹理、其他引擎和导出器。原材质保留在文件中",
     "Make the active material slot the material that you saved":
         "将活动材质槽设为已保存的材质",
     "Match Working Space":
@@ -468,6 +473,8 @@ TEXTS = {
         "预设自带",
     "Presets":
         "预设",
+    "Principled Twin":
+        "原理化孪生材质",
     "Published Scale":
         "原文尺度",
     "Randomness":
@@ -544,6 +551,10 @@ TEXTS = {
         "请先选择物体：预设将烘焙到其活动材质槽",
     "Semiconductors":
         "半导体",
+    "Several slopes become one of the same rms.":
+        "多个斜率合为一个均方根相同的斜率。",
+    "Shadows and caustics are the other program's own.":
+        "阴影和焦散由另一程序自行处理。",
     "Shallow dimples side by side, each with its own highlight":
         "浅凹窝相邻排列，各有高光",
     "Shallow dimples, for Roughness and Normal":
@@ -612,6 +623,10 @@ TEXTS = {
         "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
+    "The facets' distribution becomes GGX, whose highlights have wider tails.":
+        "微面分布变为 GGX，其高光拖尾更宽。",
+    "The film's colors over the angle become two: face on and at 82°.":
+        "薄膜随角度变化的颜色简化为两个：正视和 82°。",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
@@ -739,8 +754,12 @@ TEXTS = {
     "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
     "air or water.":
         "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
+    "What is plugged into {:s} stays behind":
+        "连接到 {:s} 的内容不会导出",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
         "表面所处的介质：空气、折射率（如 1.33）或透明材质（如水）",
+    "What this material does with light has no counterpart there: its color and gloss at a glance remain.":
+        "此材质对光的作用在那里没有对应物：仅保留大致的颜色和光泽。",
     "What to call it":
         "新的叫法",
     "What to compare":
@@ -920,6 +939,8 @@ TEXTS = {
         "{:s}：表面处理 {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}：版本 {:d}，现为 {:d}",
+    "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":
+        "{:s}：随角度平均为 {:.1f} CIEDE2000，相对于 {:s}",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":
         "{dataset!r} 不是数据库中的数据集；请指定一个数据集或其中的材质。",
     "{file!r} cannot be written: {why}; name another place.":
@@ -932,8 +953,6 @@ TEXTS = {
         "{file!r} 受保护或不是普通文件；请另指定一个。",
     "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
         "{material} 会吸收光，不能作为外部介质；请给出透明的介质，例如 'water'，或其折射率，例如 1.33。",
-    "{material} has no Principled BSDF that comes close: name a measured preset.":
-        "{material} 没有相近的原理化 BSDF：请指定一个测量预设。",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} 不含测量数据：请先烘焙一个测量预设。",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":

@@ -45,6 +45,8 @@ TEXTS = {
         "sind {given}.",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
+    "A thickness that varies becomes its middle.":
+        "Aus einer Dicke, die wechselt, wird ihre Mitte.",
     "A verification is running":
         "Eine Prüfung läuft",
     "Absorption":
@@ -384,6 +386,11 @@ TEXTS = {
         "Flüssigkeiten",
     "Lower Normal":
         "Untere Normale",
+    "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
+    "baking textures, for other engines and exporters. The material itself stays in the file":
+        "Ein Material aus einem Principled BSDF machen, das diesem am nächsten kommt, und an seine Stelle "
+        "setzen: zum Backen von Texturen, für andere Engines und Exporter. Das Material selbst bleibt in der "
+        "Datei",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
     "Match Working Space":
@@ -475,6 +482,8 @@ TEXTS = {
         "Der Voreinstellung eigene",
     "Presets":
         "Voreinstellungen",
+    "Principled Twin":
+        "Principled-Zwilling",
     "Published Scale":
         "Veröffentlichte Skala",
     "Randomness":
@@ -551,6 +560,10 @@ TEXTS = {
         "Erst ein Objekt auswählen: Die Voreinstellung wird in dessen aktiven Materialslot gebacken",
     "Semiconductors":
         "Halbleiter",
+    "Several slopes become one of the same rms.":
+        "Aus mehreren Steigungen wird eine mit demselben Effektivwert.",
+    "Shadows and caustics are the other program's own.":
+        "Schatten und Kaustik sind die des anderen Programms.",
     "Shallow dimples side by side, each with its own highlight":
         "Flache Dellen nebeneinander, jede mit eigenem Glanzlicht",
     "Shallow dimples, for Roughness and Normal":
@@ -619,6 +632,10 @@ TEXTS = {
         "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
+    "The facets' distribution becomes GGX, whose highlights have wider tails.":
+        "Aus der Verteilung der Facetten wird GGX, deren Glanzlichter breiter auslaufen.",
+    "The film's colors over the angle become two: face on and at 82°.":
+        "Aus den Farben des Films über den Winkel werden zwei: von vorn und bei 82°.",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis {most:.0f} "
@@ -749,8 +766,12 @@ TEXTS = {
     "air or water.":
         "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas Klares "
         "nennen, etwa Luft oder Wasser.",
+    "What is plugged into {:s} stays behind":
+        "Was an {:s} angeschlossen ist, bleibt zurück",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
         "Worin die Oberfläche liegt: Luft, ein Index wie 1.33 oder ein klares Material wie Wasser",
+    "What this material does with light has no counterpart there: its color and gloss at a glance remain.":
+        "Was dieses Material mit Licht macht, hat dort kein Gegenstück: Es bleiben Farbe und Glanz auf einen Blick.",
     "What to call it":
         "Wie sie heißen soll",
     "What to compare":
@@ -929,6 +950,8 @@ TEXTS = {
         "{:s}: Oberfläche {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}: Version {:d}, jetzt {:d}",
+    "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":
+        "{:s}: im Mittel über den Winkel {:.1f} CIEDE2000 von {:s}",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":
         "{dataset!r} ist kein Datensatz der Datenbank; einen nennen oder ein Material daraus.",
     "{file!r} cannot be written: {why}; name another place.":
@@ -941,8 +964,6 @@ TEXTS = {
         "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
     "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
         "{material} absorbiert Licht und kann nicht das Medium außen sein; ein klares nennen, etwa 'water', oder dessen Brechzahl, etwa 1.33.",
-    "{material} has no Principled BSDF that comes close: name a measured preset.":
-        "{material} hat keinen Principled BSDF, der nahe kommt: eine gemessene Voreinstellung nennen.",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} enthält keine Messung: erst eine gemessene Voreinstellung backen.",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":

@@ -36,9 +36,9 @@ def _swatch(record, columns):
     return swatch(record, columns)
 
 
-def _principled(record):
-    from .forms import principled
-    return principled(record)
+def _standin(record):
+    from .forms import standin
+    return standin(record)
 
 
 def _respaced(parameters, changed, before, after):
@@ -94,6 +94,6 @@ MODEL = Model(
     },
     write_form=_write_form,
     swatch=_swatch,
-    principled=_principled,
+    standin=_standin,
     measured=True,
 )

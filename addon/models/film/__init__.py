@@ -46,9 +46,9 @@ def _swatch(record, columns):
     return swatch(record, columns)
 
 
-def _principled(record):
-    from .forms import principled
-    return principled(record)
+def _standin(record):
+    from .forms import standin
+    return standin(record)
 
 
 MODEL = Model(
@@ -87,7 +87,7 @@ MODEL = Model(
     },
     write_form=_write_form,
     swatch=_swatch,
-    principled=_principled,
+    standin=_standin,
     made_of="stack",
     picture=_picture,
 )
