@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import finishes, models
@@ -17,10 +17,11 @@ if TYPE_CHECKING:
     import bpy
 
     from .bake import Bake
+    from .measured import Fit
     from .models.record import Record
 
 __all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake", "create_fresnel_ramp", "create_material",
-           "export", "principled_twin", "rebake", "record_of", "switch_realisation"]
+           "export", "fit", "principled_twin", "rebake", "record_of", "switch_realisation"]
 
 MODELS = models.names()
 FINISHES = finishes.names()
@@ -79,6 +80,21 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     _require_osl(record.realisation)
     _warn_without_osl(record.realisation)
     return materials.create(record, name, material)
+
+
+def fit(path: str, *, progress: Callable[[float], Any] | None = None, **options: Any) -> Fit:
+    """A model fitted to a measured BRDF; a :class:`addon.measured.Fit`.  It needs no Blender.
+
+    path      of a .bsdf of RGL-EPFL (isotropic, RGB), a .binary of MERL, or a text of points
+    progress  function that is told the share that is done, 0 to 1; where it gives False the fit stops
+    options   fresnel: "best", "f0", "n_k" or "curve"; slopes: 1 to 3; distribution: "beckmann" or "gaussian"
+
+    Raises FacetFilmError for a file that cannot be used, an unknown option, and where it was stopped.
+
+    >>> material = api.create_material(preset=api.fit("satin_purple_rgb.bsdf").preset())       # doctest: +SKIP
+    """
+    from .measured import fit as fit_measured
+    return fit_measured(path, progress=progress, **options)
 
 
 def switch_realisation(material: bpy.types.Material, realisation: str) -> None:

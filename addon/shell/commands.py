@@ -4,8 +4,8 @@ from ..errors import FacetFilmError, number
 from ..export import json_text
 from . import text as shown
 
-__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "swatch_command",
-           "verify_command", "ways_command"]
+__all__ = ["bake_command", "check_command", "fit_command", "list_command", "search_command", "spread_command",
+           "swatch_command", "verify_command", "ways_command"]
 
 SHOWN_COLOURS = 9
 """Of a strip, in a table or JSON."""
@@ -172,6 +172,19 @@ def ways_command(options):
     from ..catalogue.resolving import resolve
     found = ways(resolve(options.material, options.choose), **_given(options, *VIEWING))
     return _json(found.to_dict()) if options.json else shown.ways(found)
+
+
+def fit_command(options):
+    """A model fitted to a measured BRDF."""
+    from ..export.writing import write_bytes
+    from ..measured import fit
+    found = fit(options.file, fresnel=options.fresnel, slopes=options.slopes, distribution=options.distribution)
+    said = _json(found.to_dict()) if options.json else shown.fitted(found)
+    if options.picture:
+        from ..measured.picture import picture
+        written = write_bytes(options.picture, picture(found))
+        return said if options.json else f"{said}\n  wrote {written}"
+    return said
 
 
 def verify_command(options):

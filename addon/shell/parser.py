@@ -66,6 +66,16 @@ def parser():
     _add_viewing_options(command, gamut=False)
     _add_choose_option(command)
 
+    command = _command(commands, "fit", work.fit_command, "fit a model to a measured BRDF, and say how well it does")
+    command.add_argument("file", metavar="FILE", help=".bsdf of RGL-EPFL (isotropic, RGB), .binary of MERL, or points "
+                         "as text: θi φi θo φo and red green blue")
+    command.add_argument("--fresnel", default="best", metavar="NAME",
+                         help="best (the default), f0, n_k, or curve, which changes colour with the angle")
+    command.add_argument("--slopes", type=int, default=2, metavar="N", help="1 to 3 slopes of facets (2)")
+    command.add_argument("--distribution", default="beckmann", metavar="NAME",
+                         help="beckmann (the default) or gaussian")
+    command.add_argument("--picture", metavar="FILE.png", help="measured and fitted ball, side by side")
+
     command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender "
                        "and hold the pixels against the formulas", _add_report)
     command.add_argument("--device", default="CPU", metavar="NAME",

@@ -94,6 +94,7 @@ MODEL = Model(
     },
     write_form=_write_form,
     swatch=_swatch,
+    fits={"f0": "fits.NormalReflectance", "n_k": "fits.IndexAndExtinction"},
     standin=_standin,
     measured=True,
 )

@@ -28,7 +28,7 @@ SPECULAR = "specular"
 def bake_for(resolved, viewing, realisation, renderer):
     """The Baked of a measured material for one realisation.
 
-    resolved     an addon.catalogue.resolving.Resolved with constants
+    resolved     an addon.catalogue.resolving.Resolved; without constants its parameters are all there is
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut
     realisation  a name of addon.models.realisations.REALISATIONS
     renderer     a Renderer: whose conductor Fresnel n and k are fitted for
@@ -37,11 +37,40 @@ def bake_for(resolved, viewing, realisation, renderer):
     take for a dielectric where Blender 4.5's conductor misses it by several
     CIEDE2000.
     """
+    if resolved.constants is None:
+        return _as_stated(resolved.preset, renderer.space)
     baked, variant = _fitted(resolved, viewing, realisation, renderer)
     found = facts(resolved, baked)
     diffuse = tuple(min(max(channel, 0.0), 1.0) for channel in found["diffuse_rgb"])
     parameters = {**_own(resolved), "n": baked.conductor.n, "k": baked.conductor.k, "diffuse": diffuse}
     return Baked(parameters, found, variant)
+
+
+def _as_stated(preset, space):
+    """The Baked of a preset whose n, k and diffuse colour are given, for linear Rec.709; here in another space."""
+    stated = dict(preset.parameters)
+    if space != "Rec.709":
+        surface = CookTorrance(**stated)
+        to_space = np.linalg.solve(rgb_to_xyz(space), rgb_to_xyz("Rec.709"))
+        stated["diffuse"] = tuple(np.clip(to_space @ surface.diffuse, 0.0, 1.0).tolist())
+        n, k = np.array(surface.n), np.array(surface.k)
+        f0 = np.clip(to_space @ (((n - 1.0) ** 2 + k * k) / ((n + 1.0) ** 2 + k * k)), 1e-6, 0.96)
+        stated["n"], stated["k"] = map(tuple, _of_f0(f0, n, k))
+    return Baked(stated, {"name": preset.name, "title": preset.title, "kind": preset.kind, "note": preset.note})
+
+
+def _of_f0(f0, n, k):
+    """n and k of a normal reflectance, k as near as can be to a given one, n the root on the same side.
+
+    f0 = ((n − 1)² + k²)/((n + 1)² + k²) solved for n: n² − 2 n (1 + f0)/(1 − f0) + 1 + k² = 0.
+
+    >>> [x.round(6).tolist() for x in _of_f0(np.array([0.04]), np.array([1.4]), np.array([0.0]))]
+    [[1.5], [0.0]]
+    """
+    middle = (1.0 + f0) / (1.0 - f0)
+    k = np.minimum(k, np.sqrt(middle**2 - 1.0))
+    side = np.where(n * n > 1.0 + k * k, 1.0, -1.0)
+    return middle + side * np.sqrt(np.maximum(middle**2 - 1.0 - k * k, 0.0)), k
 
 
 def facts(resolved, baked):

@@ -87,6 +87,7 @@ MODEL = Model(
     },
     write_form=_write_form,
     swatch=_swatch,
+    fits={"curve": "fits.Curve"},
     standin=_standin,
     made_of="stack",
     picture=_picture,
