@@ -37,7 +37,8 @@ NOT_SHOWN = {
 SENTENCE = re.compile(r"[A-Za-z]{2,} +[A-Za-z&]+ +[A-Za-z]{2,}")
 LEFT_AS_THEY_ARE = {"Facet & Film", "n", "k", "F0", "Rec.709", "Rec.2020", "ACEScg", "Cook–Torrance", "Layered RGB",
                     "OSL", "UV", "JSON", "MaterialX", "CPU", "GPU", "Linear Rec.2020", "CIE 1931, 2°", "CIE 1964, 10°",
-                    "conductor_bsdf and generalized_schlick_bsdf"}
+                    "conductor_bsdf, generalized_schlick_bsdf and open_pbr_surface",
+                    "open_pbr_surface", "open_pbr_surface and a conductor_bsdf with a thin film"}
 """Names, units and formats that are the same in every language."""
 FILES = sorted(file for file in ROOM.rglob("*.py") if file.parent.name != "translations")
 NOT_OURS = {"rna_type", "name", "remove_name", "remove_active"}
