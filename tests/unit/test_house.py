@@ -16,8 +16,8 @@ from addon.catalogue import presets
 ROOT = Path(__file__).resolve().parents[2]
 ADDON = ROOT / "addon"
 
-NUMPY_ROOMS = ("addon/reflectance/", "addon/models/", "addon/catalogue/", "addon/spectra/", "addon/bake/",
-               "addon/export/", "addon/shell/", "addon/measured/")
+NUMPY_ROOMS = ("addon/reflectance/", "addon/models/", "addon/finishes/", "addon/catalogue/", "addon/spectra/",
+               "addon/bake/", "addon/export/", "addon/shell/", "addon/measured/")
 BLENDER_MODULES = {"bpy", "bmesh", "mathutils", "gpu", "_bpy", "bpy_extras", "blf"}
 BLENDER_ROOMS = {"nodes", "blender", "api", "verify"}
 # Reached inside functions that only Blender, or someone who has it, calls.

@@ -34,7 +34,8 @@ def write_form(form, record):
     baked, p = baked_for_export(record), record.parameters
     if form == "csv":
         return export.curve_csv(baked)
-    return export.json_text({**baked.to_dict(), "diffuse_rgb": dyed(p)[2].tolist(), **_of_the_surface(p)})
+    return export.json_text({**baked.to_dict(), "diffuse_rgb": dyed(p)[2].tolist(), **_of_the_surface(p),
+                             "finish": record.finish})
 
 
 def baked_for_export(record):
