@@ -18,6 +18,7 @@ import bpy  # noqa: E402
 from addon import api  # noqa: E402
 from addon.blender.datablocks.groups import all_groups, model_of_group, node_group  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
+from addon.finishes import of_group  # noqa: E402
 from tools import preview_scene  # noqa: E402
 
 __all__ = ["FOLDER", "GROUP", "names"]
@@ -66,6 +67,8 @@ def _material(name):
     if identifier in SHOWN_BY:
         return api.create_material(preset=SHOWN_BY[identifier])
     model = model_of_group(identifier)
+    if model is None:
+        return api.create_material(preset="copper", finish=of_group(identifier).name)
     realisation = model.realisation_of(identifier)
     if realisation is None:
         return _emitting(node_group(identifier), "Field")
