@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import models
-from .models.realisations import REALISATIONS
+from .models.realisations import REALISATIONS, realisation_named
 
 if TYPE_CHECKING:
     import bpy
@@ -48,8 +48,8 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
     preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters
                  alone
-    realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL)
-                 or "osl_fast" (closures, by OSL)
+    realisation  "fast" or "standard" (native closures), "exact" or "reference" (the formula, nodes alone), "osl" (the
+                 formula, by OSL) or "osl_fast" (closures, by OSL)
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
@@ -74,7 +74,7 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     """Render one of our materials by another realisation; everything that the user set stays.
 
     material     a bpy.types.Material made by :func:`create_material`
-    realisation  "fast", "exact", "osl" or "osl_fast"
+    realisation  "fast" or "standard", "exact" or "reference", "osl" or "osl_fast"
 
     Where n and k are still as baked and the other realisation evaluates another
     Fresnel formula (Blender 4.5), they are baked again for it.  Raises
@@ -137,5 +137,5 @@ def create_fresnel_ramp(preset: Any, **options: Any) -> bpy.types.NodeTree:
 
 def _require_osl(realisation):
     from .nodes.osl_compiler import require_osl
-    if REALISATIONS[realisation].osl:
+    if REALISATIONS[realisation_named(realisation)].osl:
         require_osl()

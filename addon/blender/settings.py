@@ -1,14 +1,21 @@
-"""What the panels remember between clicks: the preset, realisation and light to apply next."""
+"""What the panels remember between clicks: the preset, realisation and light to apply next; and the preferences."""
 
 import functools
+from types import SimpleNamespace
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 
 from ..models.realisations import REALISATIONS
 from .panels import picker
 
-__all__ = ["CLASSES", "Viewing", "attach", "copy_viewing", "detach", "preset_property", "realisation_property",
-           "search_presets", "viewing_of"]
+__all__ = ["CLASSES", "PACKAGE", "Viewing", "attach", "copy_viewing", "detach", "preferences", "preset_property",
+           "realisation_property", "search_presets", "viewing_of"]
+
+PACKAGE = __package__.rsplit(".", 2)[0]
+"""Under this name Blender keeps the extension's preferences."""
+DEFAULTS = SimpleNamespace(realisation="fast", in_headers=True, in_menus=True, in_sidebar=False)
+"""Of the preferences, which scripts that import this package alone have not."""
 
 REALISATION_ITEMS = [(name, found.title, found.tip) for name, found in REALISATIONS.items()]
 OBSERVER_ITEMS = (
@@ -29,6 +36,7 @@ GAMUT_ITEMS = (
     ("leave", "Leave", "Keep colours outside of the gamut"),
 )
 SAME_AS_FILE = "FILE"
+FIRST_ILLUMINANTS = ("D65", "D50", "D55", "D75", "A", "E", "F2", "F4", "F11", "LED-B1", "LED-B4", "HP1")
 IN_AIR = ("", "air", "1", "1.0")
 
 
@@ -43,10 +51,17 @@ def _drop_title(properties, _context):
         properties.preset = picker.name_in(properties.preset)
 
 
-def preset_property():
+def preferences():
+    """The extension's preferences."""
+    found = bpy.context.preferences.addons.get(PACKAGE)
+    return getattr(found, "preferences", None) or DEFAULTS
+
+
+def preset_property(default="copper", options=frozenset()):
     """A text property `preset` that offers presets and datasets while one types."""
     return bpy.props.StringProperty(
-        name="Preset", default="copper", search=search_presets, search_options={"SUGGESTION"}, update=_drop_title,
+        name="Preset", default=default, search=search_presets, search_options={"SUGGESTION"}, update=_drop_title,
+        options=set(options),
         description="Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search")
 
 
@@ -56,18 +71,21 @@ def realisation_property():
         name="Realisation", items=REALISATION_ITEMS, description="How the formula becomes a Cycles material")
 
 
-@functools.lru_cache(maxsize=1)
-def _illuminants():
+@functools.lru_cache(maxsize=2)
+def _illuminants(_language):
+    """Items of an enumeration: the twelve that people use first, and below them all others."""
     from ..spectra.illuminants import names, title
-    by_use = sorted(names(), key=lambda name: name != "D65")
-    return [(name, name, title(name), number) for number, name in enumerate(by_use)]
+    others = [name for name in names() if name not in FIRST_ILLUMINANTS]
+    items = [(name, f"{name}: {iface_(title(name))}", "", number)
+             for number, name in enumerate((*FIRST_ILLUMINANTS, *others))]
+    return [*items[:len(FIRST_ILLUMINANTS)], ("", "", ""), *items[len(FIRST_ILLUMINANTS):]]
 
 
 class Viewing:
     """Properties of those who bake: in which light, for which eye, into which numbers."""
 
     illuminant: bpy.props.EnumProperty(
-        name="Illuminant", items=lambda _self, _context: _illuminants(),
+        name="Illuminant", items=lambda _self, _context: _illuminants(bpy.app.translations.locale),
         description="Light in which the material has its colour; D65 is daylight, and white in Blender")
     observer: bpy.props.EnumProperty(
         name="Observer", items=OBSERVER_ITEMS, description="CIE standard observer")
@@ -101,27 +119,10 @@ def copy_viewing(source, target):
         setattr(target, name, getattr(source, name))
 
 
-def _thumbnails(settings, _context=None):
-    return picker.thumbnail_items(settings.kind, settings.preset)
-
-
-def _chosen_thumbnail(settings):
-    return next(item[4] for item in _thumbnails(settings) if item[0] == settings.preset)
-
-
-def _choose_thumbnail(settings, number):
-    settings.preset = _thumbnails(settings)[number][0]
-
-
 class FacetFilmSettings(Viewing, bpy.types.PropertyGroup):
     """Choices of the Facet & Film panels."""
 
     preset: preset_property()
-    thumbnail: bpy.props.EnumProperty(
-        name="Presets", items=_thumbnails, get=_chosen_thumbnail, set=_choose_thumbnail,
-        description="Preset by its picture; the filter beside the name chooses the kind")
-    kind: bpy.props.EnumProperty(name="Kind", items=picker.KIND_ITEMS, description="Which presets to show pictures of")
-    realisation: realisation_property()
 
 
 CLASSES = (FacetFilmSettings,)

@@ -7,6 +7,7 @@ from ..catalogue.resolving import resolve
 from ..errors import FacetFilmError, choice
 from . import DEFAULT, named, names
 from .model import Renderer
+from .realisations import realisation_named
 from .record import Record, Source
 
 ANY_RENDERER = Renderer()
@@ -21,7 +22,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
 
     model        name of a model; by default the preset's
     preset       what :func:`addon.catalogue.resolving.resolve` understands; None for the parameters alone
-    realisation  one that the model has
+    realisation  one that the model has, by either of its names: "fast" or "standard", "exact" or "reference", …
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
     parameters   of the model, over the preset's own
@@ -36,7 +37,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
     resolved = None if preset is None else resolve(preset)
     chosen = named(model or (resolved and resolved.preset.model) or DEFAULT)
     resolved = _what_it_is_made_of(chosen, resolved, parameters)
-    choice("realisation", realisation, chosen.realisations)
+    realisation = choice("realisation", realisation_named(realisation), chosen.realisations)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
         return _with_group(Record(chosen.name, realisation, "", 0, checked), chosen)
@@ -58,7 +59,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER
     'layered_rgb_exact'
     """
     model = named(record.model)
-    choice("realisation", realisation, model.realisations)
+    realisation = choice("realisation", realisation_named(realisation), model.realisations)
     if record.measured and model.as_baked(record.parameters, record.baked):
         return rebaked(record.changed(realisation=realisation), renderer, only=("n", "k"))
     _, variant = model.realisation_of(record.group)

@@ -64,15 +64,15 @@ def what_is_missing(scene, realisation):
     if engine == "BLENDER_WORKBENCH":
         return rpt_("Workbench shows the viewport colour only: choose Cycles in the Render properties")
     if engine != "CYCLES":
-        return "" if realisation in IN_EVERY_ENGINE else rpt_("This engine renders Fast in its place: "
+        return "" if realisation in IN_EVERY_ENGINE else rpt_("This engine renders Standard in its place: "
                                                      "for this realisation choose Cycles in the Render properties")
     if not REALISATIONS[realisation].osl:
         return ""
     if not scene.cycles.shading_system:
         return rpt_("This realisation is an OSL script and would render black: switch on Open Shading Language "
-                    "in the Render properties, or take Exact")
+                    "in the Render properties, or take Reference")
     if scene.cycles.device == "GPU" and _gpu_without_osl():
-        return rpt_("OSL needs the CPU or OptiX: change the device, or take Exact")
+        return rpt_("OSL needs the CPU or OptiX: change the device, or take Reference")
     return ""
 
 

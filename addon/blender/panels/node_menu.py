@@ -16,6 +16,10 @@ class FACET_FILM_MT_add(bpy.types.Menu):
     def draw(self, context):
         """An entry a group; the ramp is of the preset chosen in the panel."""
         layout = self.layout
+        layout.operator_context = "INVOKE_DEFAULT"
+        layout.operator("facet_film.choose", icon="MATERIAL")
+        layout.operator("facet_film.search", icon="VIEWZOOM")
+        layout.separator()
         layout.operator_context = "INVOKE_REGION_WIN"
         settings = context.window_manager.facet_film
         for number, part in enumerate(parts()):

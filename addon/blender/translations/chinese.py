@@ -13,6 +13,8 @@ TEXTS = {
         "；两端保持不变",
     "; outside the gamut, mapped by {:s}":
         "；超出色域，映射方式：{:s}",
+    "A button in the headers of the 3D Viewport and of the Shader Editor":
+        "3D 视图和着色器编辑器标题栏中的按钮",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "检查只接受其中之一：n 与 k、带或不带色调的 F0、一种材质。",
     "A file to write is named by its path, not by {path!r}.":
@@ -35,12 +37,16 @@ TEXTS = {
         "层堆是形如 'SiO2 0-1000 nm / Si' 的文本，由外向内书写，而不是 {value!r}。",
     "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
         "{films} 层薄膜的层堆有 {indices} 个折射率：外部、各薄膜和基底；给出了 {given} 个。",
+    "A tab in the sidebar of the 3D Viewport":
+        "3D 视图侧边栏中的标签",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
     "A verification is running":
         "验证正在运行",
     "Absorption":
         "吸收",
+    "Active Slot":
+        "活动槽",
     "Adapt White":
         "适应白点",
     "Add Asset Library":
@@ -49,22 +55,24 @@ TEXTS = {
         "添加 Facet & Film 节点组",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "添加 Facet & Film 节点组；文件中已有的会被复用",
-    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
-        "将材质与节点组作为库添加到资产浏览器（偏好设置，文件路径）",
+    "Add the materials and node groups to the Asset Browser, as a library of your preferences":
+        "将材质和节点组作为偏好设置中的资产库添加到资产浏览器",
+    "All Slots":
+        "所有槽",
     "Alloys":
         "合金",
     "Another Version":
         "其他版本",
     "Apply":
         "应用",
+    "Apply Material":
+        "应用材质",
     "Apply Saved Preset":
         "应用已保存的预设",
     "Apply a material of Facet & Film first: there is nothing to save":
         "请先应用 Facet & Film 材质：没有可保存的内容",
     "Apply to Node":
         "应用到节点",
-    "Asset Library":
-        "资产库",
     "At 0°":
         "0° 处",
     "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
@@ -87,8 +95,8 @@ TEXTS = {
         "方位角",
     "Bake Spectral Preset":
         "烘焙光谱预设",
-    "Bake a material into the active material slot of the active object, and put it on the other selected ones":
-        "将材质烘焙到活动物体的活动材质槽，并赋予其他选中的物体",
+    "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
+        "按此处选择的光烘焙目录中的材质或数据集，并赋予所选物体",
     "Bake a measured material first: there is nothing to bake again":
         "请先烘焙实测材质：没有可重新烘焙的内容",
     "Bake a measured material first: there is nothing to export":
@@ -125,10 +133,16 @@ TEXTS = {
         "核对",
     "Check Against a Measurement":
         "与测量值核对",
+    "Choose a Material":
+        "选择材质",
     "Choose a file: here stands what it is read as":
         "选择文件：此处显示它被读作什么",
+    "Choose a material by its picture, above":
+        "请在上方按图片选择材质",
     "Citation":
         "引文",
+    "Clean and fast, on every device and in EEVEE: the one to take first":
+        "干净快速，适用于所有设备和 EEVEE：首选",
     "Clear Dispersive":
         "透明（色散）",
     "Clear Standard":
@@ -189,8 +203,16 @@ TEXTS = {
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Drained":
         "排液",
+    "Drop Material":
+        "放下材质",
+    "Drop on {:s}   (Esc stops)":
+        "放到 {:s} 上   (Esc 停止)",
+    "Drop this material on an object: it goes into the slot of the face under the mouse":
+        "将此材质放到物体上：进入鼠标下面所在的槽",
     "Edge Tint":
         "边缘色调",
+    "Entries in the Object menu and in the context menus of objects, faces and material slots":
+        "物体菜单以及物体、面和材质槽右键菜单中的条目",
     "Every parameter":
         "所有参数",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -199,8 +221,6 @@ TEXTS = {
         "此文件中的一切都是当前版本",
     "Everything that was baked":
         "烘焙的全部内容",
-    "Exact":
-        "精确",
     "Exponent R":
         "指数 R",
     "Exponent T":
@@ -217,8 +237,8 @@ TEXTS = {
         "F82 色调",
     "F82 tint":
         "F82 色调",
-    "Fast":
-        "快速",
+    "Facet & Film Material...":
+        "Facet & Film 材质...",
     "File":
         "文件",
     "File of optical constants":
@@ -237,6 +257,8 @@ TEXTS = {
         "薄膜热着色",
     "Film Thickness":
         "薄膜厚度",
+    "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
+        "按名称、化学式或任何别名查找材质，并赋予所选物体",
     "First Thickness":
         "起始厚度",
     "Fit":
@@ -265,6 +287,8 @@ TEXTS = {
         "最大厚度",
     "Group":
         "组",
+    "Headers":
+        "标题栏",
     "How the formula becomes a Cycles material":
         "公式如何成为 Cycles 材质",
     "IOR":
@@ -275,16 +299,20 @@ TEXTS = {
         "图像行数",
     "Import Measurement":
         "导入测量数据",
-    "In the Asset Browser as Facet & Film":
-        "在资产浏览器中名为 Facet & Film",
+    "In Place":
+        "原位",
     "Inside, unchanged":
         "在色域内，未改变",
+    "Into a slot of its own; in Edit Mode for the selected faces":
+        "放入单独的槽；编辑模式下用于所选的面",
+    "Into every material slot of every selected object":
+        "放入每个所选物体的每个材质槽",
+    "Into the active material slot of every selected object":
+        "放入每个所选物体的活动材质槽",
     "Iridescent":
         "虹彩",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
-    "Kind":
-        "类别",
     "Large fields of view":
         "大视场",
     "Last Thickness":
@@ -319,28 +347,38 @@ TEXTS = {
         "液体",
     "Lower Normal":
         "下层法线",
+    "Make Local":
+        "设为本地",
+    "Make the active material itself over, wherever it is used":
+        "直接改造活动材质，无论它用在何处",
     "Make the active material slot the material that you saved":
         "将活动材质槽设为已保存的材质",
+    "Make this linked material one of this file, so that it can be changed; all objects that have it keep it":
+        "将此链接材质变为本文件的材质，以便修改；所有使用它的物体保持不变",
     "Material":
         "材质",
+    "Material Shelf":
+        "材质架",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "材质：预设名称，或数据集如 main/Cu/Johnson。输入即可搜索",
     "Measured Material":
         "实测材质",
     "Measurement":
         "测量",
+    "Menus":
+        "菜单",
     "Metals":
         "金属",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
-    "Native closures from an OSL script: needs Open Shading Language switched on":
-        "OSL 脚本中的原生闭包：需启用开放着色语言",
-    "Native closures: light-sampled, on every device, and in EEVEE":
-        "原生闭包：支持光源采样、所有设备以及 EEVEE",
     "Nearest":
         "最接近",
+    "New Materials":
+        "新材质",
     "New Name":
         "新名称",
+    "New Slot":
+        "新槽",
     "Nodes updated: {:d}":
         "已更新节点：{:d}",
     "Noise Detail":
@@ -349,10 +387,10 @@ TEXTS = {
         "噪波缩放",
     "Normal":
         "法线",
-    "OSL Fast":
-        "OSL 快速",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL 需要 CPU 或 OptiX：请更换设备，或选择“精确”",
+    "OSL Standard":
+        "OSL 标准",
+    "OSL needs the CPU or OptiX: change the device, or take Reference":
+        "OSL 需要 CPU 或 OptiX：请更换设备，或使用参考",
     "Observer":
         "观察者",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
@@ -361,6 +399,8 @@ TEXTS = {
         "{word!r} 只有正入射反射率，而层堆需要 n 和 k；请选择另一个数据集。",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
+    "Open all materials as pictures: each click puts one on the selected objects, until Esc. The first time this adds the library Facet & Film to your preferences":
+        "以图片打开所有材质：每次点击将一种材质赋予所选物体，直到按 Esc。首次使用会将资产库 Facet & Film 添加到偏好设置",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
     "Other Conductors":
@@ -381,8 +421,6 @@ TEXTS = {
         "聚合物",
     "Preset":
         "预设",
-    "Preset by its picture; the filter beside the name chooses the kind":
-        "按图片选择预设；名称旁的过滤器选择类别",
     "Preset or dataset":
         "预设或数据集",
     "Preset or dataset to compare":
@@ -393,14 +431,20 @@ TEXTS = {
         "预设",
     "Published Scale":
         "原文尺度",
+    "Put this material on the selected objects. What you made by hand stays: the slot gets a new material":
+        "将此材质赋予所选物体。您手工制作的材质会保留：槽中放入新材质",
     "Re-bake":
         "重新烘焙",
     "Re-bake All Materials":
         "重新烘焙所有材质",
     "Read As":
         "读作",
+    "Read the Documents":
+        "阅读文档",
     "Realisation":
         "实现方式",
+    "Reference":
+        "参考",
     "Reflectance at normal incidence":
         "正入射反射率",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
@@ -441,6 +485,10 @@ TEXTS = {
         "场景比例",
     "Scene-linear space that the colours are written in":
         "写入颜色所用的场景线性空间",
+    "Search":
+        "搜索",
+    "Search Facet & Film Materials":
+        "搜索 Facet & Film 材质",
     "See-through":
         "透视",
     "See-through Shadows":
@@ -449,14 +497,22 @@ TEXTS = {
         "请先选择 Facet & Film 组节点",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
         "请选择 Facet & Film 节点组，或添加：添加，Facet & Film",
-    "Select an object first: the preset is baked into its active material slot":
-        "请先选择物体：预设将烘焙到其活动材质槽",
+    "Select an object first: the material goes into its active material slot":
+        "请先选择一个物体：材质会放入其活动材质槽",
+    "Selected Node":
+        "所选节点",
     "Semiconductors":
         "半导体",
+    "Shelf":
+        "材质架",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
+    "Show or hide a shelf of all materials along the 3D Viewport, to click on or to drag onto objects":
+        "显示或隐藏 3D 视图边上的材质架，可点击或拖到物体上",
+    "Sidebar":
+        "侧边栏",
     "Slope 1":
         "斜率 1",
     "Slope 2":
@@ -473,14 +529,18 @@ TEXTS = {
         "按每个微面的角度计算的薄膜堆叠，仅用节点采样，适用于所有设备",
     "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
         "以原生闭包实现的薄膜堆叠，每个通道一个波瓣：按光源采样，适用于所有设备",
+    "Standard":
+        "标准",
+    "Standard as an OSL script: needs Open Shading Language switched on":
+        "标准方式的 OSL 脚本：需要打开 Open Shading Language",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
     "Sulphides":
         "硫化物",
     "Switch Realisation":
         "切换实现方式",
-    "Take the library off the Asset Browser again; what was dragged from it stays":
-        "将该库从资产浏览器移除；已拖入的内容保留",
+    "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
+        "从资产浏览器中移除该库以及可供选择的图片；材质保留",
     "Tangent":
         "切线",
     "Temperature":
@@ -491,6 +551,8 @@ TEXTS = {
         "纹理占比",
     "The Papers' Figures":
         "论文中的图",
+    "The asset library {:s} was added to your preferences; the extension's own take it out again":
+        "资产库 {:s} 已添加到偏好设置；可在扩展的偏好设置中移除",
     "The colour inside that looks most alike, by CIEDE2000":
         "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -510,12 +572,12 @@ TEXTS = {
         "Granier 与 Heidrich 2003 的原公式，仅用节点采样，适用于所有设备",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
-    "The library is in Preferences, File Paths already":
-        "该库已在偏好设置的文件路径中",
+    "The library is in your preferences already":
+        "该库已在偏好设置中",
     "The library is not in the preferences":
         "该库不在偏好设置中",
-    "The library {:s} is no longer in the preferences":
-        "库 {:s} 已不在偏好设置中",
+    "The library {:s} is no longer shown":
+        "不再显示资产库 {:s}",
     "The measured points: wavelength_nm, n, k":
         "测量点：wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
@@ -528,10 +590,10 @@ TEXTS = {
         "无法读取预设 {file!r}。",
     "The processor":
         "处理器",
-    "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
-        "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
-    "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
-        "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
+    "The published formula as an OSL script: needs Open Shading Language switched on in the Render properties, on the CPU or OptiX; EEVEE shows Standard":
+        "以 OSL 脚本实现的论文公式：需要在渲染属性中打开 Open Shading Language，用于 CPU 或 OptiX；EEVEE 显示标准方式",
+    "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
+        "论文公式本身，适用于所有设备：较慢且噪点较多，用于对照；EEVEE 显示标准方式",
     "The same with the colours of the rainbow, each refracted by its own index":
         "同上，并带有彩虹色，每种颜色以各自的折射率折射",
     "The scene-linear space of this file":
@@ -540,6 +602,8 @@ TEXTS = {
         "第二个 Blender 以状态 {:d} 结束：{:s}",
     "The shader {shader} does not compile: {why}":
         "着色器 {shader} 无法编译：{why}",
+    "The shelf stands in a 3D Viewport in Object Mode":
+        "材质架位于物体模式下的 3D 视图中",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "厚度须在层堆给定的 {low:g} 到 {high:g} nm 之间；现为 {given:g}。",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -550,6 +614,8 @@ TEXTS = {
         "验证已停止；没有报告",
     "There is a preset called {:s} already":
         "已有名为 {:s} 的预设",
+    "There is no material of Facet & Film called {name!r}.":
+        "Facet & Film 中没有名为 {name!r} 的材质。",
     "Thickness":
         "厚度",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -562,22 +628,26 @@ TEXTS = {
         "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
     "Thin Walled":
         "薄壁",
-    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
-        "此 Blender 编译时未包含 OSL：请使用精确或快速实现，它们渲染同一材质",
-    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
-        "此 Blender 缺少 OSL 脚本所需的模块 oslquery：请使用精确或快速实现",
-    "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
-        "此引擎以“快速”代替：要使用此实现方式，请在渲染属性中选择 Cycles",
+    "This Blender is built without OSL: take Reference or Standard, which render the same material":
+        "此 Blender 未包含 OSL：请使用参考或标准方式，渲染同一材质",
+    "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard":
+        "此 Blender 缺少 OSL 脚本所需的 oslquery 模块：请使用参考或标准方式",
+    "This engine renders Standard in its place: for this realisation choose Cycles in the Render properties":
+        "此引擎改用标准方式渲染：要使用此实现，请在渲染属性中选择 Cycles",
     "This file has no material with a measurement: bake a preset first":
         "此文件没有带测量数据的材质：请先烘焙预设",
     "This file is no preset of Facet & Film.":
         "此文件不是 Facet & Film 的预设。",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "此实现方式是 OSL 脚本，会渲染为黑色：请在渲染属性中启用开放着色语言，或选择“精确”",
+    "This material belongs to this file already":
+        "此材质已属于本文件",
+    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Reference":
+        "此实现是 OSL 脚本，会渲染成黑色：请在渲染属性中打开 Open Shading Language，或使用参考方式",
     "Time":
         "时间",
     "Tint":
         "染色",
+    "To":
+        "放到",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Update Materials":
@@ -621,10 +691,14 @@ TEXTS = {
         "用于渲染测试样本的设备",
     "What to write":
         "写入的内容",
+    "Where the material goes":
+        "材质放到哪里",
+    "Where to Find It":
+        "在哪里找到",
     "Which group to add":
         "要添加的组",
-    "Which presets to show pictures of":
-        "显示哪些预设的图片",
+    "Which material to apply":
+        "要应用的材质",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench 只显示视图颜色：请在渲染属性中选择 Cycles",
     "Working Space":
@@ -758,12 +832,18 @@ TEXTS = {
         "白色荧光灯，3450 K",
     "{:d} materials baked again":
         "已重新烘焙 {:d} 个材质",
+    "{:d} objects":
+        "{:d} 个物体",
     "{:s} applied":
         "已应用 {:s}",
     "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
         "{:s} 已由 {:s} 烘焙：拟合的最大 CIEDE2000 为 {:.2f}",
+    "{:s} belongs to this file now":
+        "{:s} 现在属于本文件",
     "{:s} is linked: update it in {:s}":
         "{:s} 是链接的：请在 {:s} 中更新",
+    "{:s} on {:s}":
+        "{:s} 已应用到 {:s}",
     "{:s} renders by {:s}":
         "{:s} 的渲染方式：{:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":

@@ -13,6 +13,8 @@ TEXTS = {
         "; Enden gehalten",
     "; outside the gamut, mapped by {:s}":
         "; außerhalb des Farbraums, abgebildet mit {:s}",
+    "A button in the headers of the 3D Viewport and of the Shader Editor":
+        "Ein Knopf in den Kopfleisten der 3D-Ansicht und des Shader-Editors",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
     "A file to write is named by its path, not by {path!r}.":
@@ -36,12 +38,16 @@ TEXTS = {
     "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
         "Ein Stapel aus {films} Schichten hat {indices} Brechzahlen: außen, Schichten und Träger; gegeben "
         "sind {given}.",
+    "A tab in the sidebar of the 3D Viewport":
+        "Ein Reiter in der Seitenleiste der 3D-Ansicht",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
     "A verification is running":
         "Eine Prüfung läuft",
     "Absorption":
         "Absorption",
+    "Active Slot":
+        "Aktiver Slot",
     "Adapt White":
         "Weiß anpassen",
     "Add Asset Library":
@@ -50,22 +56,24 @@ TEXTS = {
         "Gruppe von Facet & Film hinzufügen",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
-    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
-        "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
+    "Add the materials and node groups to the Asset Browser, as a library of your preferences":
+        "Fügt die Materialien und Nodegruppen dem Asset-Browser hinzu, als Bibliothek in den Einstellungen",
+    "All Slots":
+        "Alle Slots",
     "Alloys":
         "Legierungen",
     "Another Version":
         "Andere Version",
     "Apply":
         "Anwenden",
+    "Apply Material":
+        "Material anwenden",
     "Apply Saved Preset":
         "Gespeicherte Voreinstellung anwenden",
     "Apply a material of Facet & Film first: there is nothing to save":
         "Erst ein Material von Facet & Film anwenden: Es gibt nichts zu speichern",
     "Apply to Node":
         "Auf Node anwenden",
-    "Asset Library":
-        "Asset-Bibliothek",
     "At 0°":
         "Bei 0°",
     "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
@@ -90,8 +98,9 @@ TEXTS = {
         "Azimut",
     "Bake Spectral Preset":
         "Spektrale Voreinstellung backen",
-    "Bake a material into the active material slot of the active object, and put it on the other selected ones":
-        "Backt ein Material in den aktiven Materialslot des aktiven Objekts und gibt es den anderen ausgewählten",
+    "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
+        "Backt ein Material des Katalogs oder einen Datensatz in dem hier gewählten Licht und gibt es den gewählten "
+        "Objekten",
     "Bake a measured material first: there is nothing to bake again":
         "Erst ein gemessenes Material backen: Es gibt nichts neu zu backen",
     "Bake a measured material first: there is nothing to export":
@@ -128,10 +137,16 @@ TEXTS = {
         "Prüfen",
     "Check Against a Measurement":
         "Mit einer Messung prüfen",
+    "Choose a Material":
+        "Material auswählen",
     "Choose a file: here stands what it is read as":
         "Eine Datei wählen: Hier steht, als was sie gelesen wird",
+    "Choose a material by its picture, above":
+        "Oben ein Material nach seinem Bild auswählen",
     "Citation":
         "Quelle",
+    "Clean and fast, on every device and in EEVEE: the one to take first":
+        "Rauscharm und schnell, auf jedem Gerät und in EEVEE: die erste Wahl",
     "Clear Dispersive":
         "Klar, mit Dispersion",
     "Clear Standard":
@@ -192,8 +207,16 @@ TEXTS = {
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Drained":
         "Abgelaufen",
+    "Drop Material":
+        "Material ablegen",
+    "Drop on {:s}   (Esc stops)":
+        "Auf {:s} ablegen   (Esc bricht ab)",
+    "Drop this material on an object: it goes into the slot of the face under the mouse":
+        "Legt dieses Material auf einem Objekt ab: Es kommt in den Slot der Fläche unter der Maus",
     "Edge Tint":
         "Randtönung",
+    "Entries in the Object menu and in the context menus of objects, faces and material slots":
+        "Einträge im Objekt-Menü und in den Kontextmenüs von Objekten, Flächen und Materialslots",
     "Every parameter":
         "Alle Parameter",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -202,8 +225,6 @@ TEXTS = {
         "Alles in dieser Datei ist von dieser Version",
     "Everything that was baked":
         "Alles, was gebacken wurde",
-    "Exact":
-        "Exakt",
     "Exponent R":
         "Exponent R",
     "Exponent T":
@@ -220,8 +241,8 @@ TEXTS = {
         "F82-Tönung",
     "F82 tint":
         "F82-Tönung",
-    "Fast":
-        "Schnell",
+    "Facet & Film Material...":
+        "Facet & Film: Material ...",
     "File":
         "Datei",
     "File of optical constants":
@@ -240,6 +261,8 @@ TEXTS = {
         "Film Anlauffarbe",
     "Film Thickness":
         "Filmdicke",
+    "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
+        "Findet ein Material nach Namen, Formel oder jedem anderen Namen und gibt es den gewählten Objekten",
     "First Thickness":
         "Erste Dicke",
     "Fit":
@@ -268,6 +291,8 @@ TEXTS = {
         "Größte Dicke",
     "Group":
         "Gruppe",
+    "Headers":
+        "Kopfleisten",
     "How the formula becomes a Cycles material":
         "Wie die Formel zu einem Cycles-Material wird",
     "IOR":
@@ -278,16 +303,20 @@ TEXTS = {
         "Bildzeilen",
     "Import Measurement":
         "Messung importieren",
-    "In the Asset Browser as Facet & Film":
-        "Im Asset-Browser als Facet & Film",
+    "In Place":
+        "An Ort und Stelle",
     "Inside, unchanged":
         "Innerhalb, unverändert",
+    "Into a slot of its own; in Edit Mode for the selected faces":
+        "In einen eigenen Slot; im Bearbeitungsmodus für die gewählten Flächen",
+    "Into every material slot of every selected object":
+        "In jeden Materialslot jedes gewählten Objekts",
+    "Into the active material slot of every selected object":
+        "In den aktiven Materialslot jedes gewählten Objekts",
     "Iridescent":
         "Schillernd",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
-    "Kind":
-        "Art",
     "Large fields of view":
         "Große Sehfelder",
     "Last Thickness":
@@ -322,28 +351,39 @@ TEXTS = {
         "Flüssigkeiten",
     "Lower Normal":
         "Untere Normale",
+    "Make Local":
+        "Lokal machen",
+    "Make the active material itself over, wherever it is used":
+        "Ändert das aktive Material selbst, wo immer es benutzt wird",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
+    "Make this linked material one of this file, so that it can be changed; all objects that have it keep it":
+        "Macht dieses verknüpfte Material zu einem dieser Datei, damit es geändert werden kann; alle Objekte "
+        "behalten es",
     "Material":
         "Material",
+    "Material Shelf":
+        "Materialleiste",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "Material: Name einer Voreinstellung, oder ein Datensatz wie main/Cu/Johnson. Tippen sucht",
     "Measured Material":
         "Gemessenes Material",
     "Measurement":
         "Messung",
+    "Menus":
+        "Menüs",
     "Metals":
         "Metalle",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
-    "Native closures from an OSL script: needs Open Shading Language switched on":
-        "Eingebaute Shader aus einem OSL-Skript: Open Shading Language muss eingeschaltet sein",
-    "Native closures: light-sampled, on every device, and in EEVEE":
-        "Eingebaute Shader: mit Lichtabtastung, auf jedem Gerät und in EEVEE",
     "Nearest":
         "Nächste",
+    "New Materials":
+        "Neue Materialien",
     "New Name":
         "Neuer Name",
+    "New Slot":
+        "Neuer Slot",
     "Nodes updated: {:d}":
         "Aktualisierte Nodes: {:d}",
     "Noise Detail":
@@ -352,10 +392,10 @@ TEXTS = {
         "Rauschgröße",
     "Normal":
         "Normale",
-    "OSL Fast":
-        "OSL schnell",
-    "OSL needs the CPU or OptiX: change the device, or take Exact":
-        "OSL braucht die CPU oder OptiX: Gerät wechseln oder Exakt nehmen",
+    "OSL Standard":
+        "OSL Standard",
+    "OSL needs the CPU or OptiX: change the device, or take Reference":
+        "OSL braucht die CPU oder OptiX: das Gerät wechseln oder Referenz nehmen",
     "Observer":
         "Beobachter",
     "Of a file that holds or can mean several things: which. Empty where its meaning is plain":
@@ -365,6 +405,9 @@ TEXTS = {
         "Datensatz wählen.",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
+    "Open all materials as pictures: each click puts one on the selected objects, until Esc. The first time this adds the library Facet & Film to your preferences":
+        "Öffnet alle Materialien als Bilder: Jeder Klick gibt eines den gewählten Objekten, bis Esc. Beim ersten Mal "
+        "kommt die Bibliothek Facet & Film in die Einstellungen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
     "Other Conductors":
@@ -385,8 +428,6 @@ TEXTS = {
         "Polymere",
     "Preset":
         "Voreinstellung",
-    "Preset by its picture; the filter beside the name chooses the kind":
-        "Voreinstellung nach ihrem Bild; der Filter neben dem Namen wählt die Art",
     "Preset or dataset":
         "Voreinstellung oder Datensatz",
     "Preset or dataset to compare":
@@ -397,14 +438,21 @@ TEXTS = {
         "Voreinstellungen",
     "Published Scale":
         "Veröffentlichte Skala",
+    "Put this material on the selected objects. What you made by hand stays: the slot gets a new material":
+        "Gibt den gewählten Objekten dieses Material. Was von Hand gemacht ist, bleibt: Der Slot bekommt ein neues "
+        "Material",
     "Re-bake":
         "Neu backen",
     "Re-bake All Materials":
         "Alle Materialien neu backen",
     "Read As":
         "Gelesen als",
+    "Read the Documents":
+        "Dokumente lesen",
     "Realisation":
         "Umsetzung",
+    "Reference":
+        "Referenz",
     "Reflectance at normal incidence":
         "Reflexionsgrad bei senkrechtem Einfall",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
@@ -445,6 +493,10 @@ TEXTS = {
         "Maßstab der Szene",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
+    "Search":
+        "Suchen",
+    "Search Facet & Film Materials":
+        "Facet & Film: Materialien suchen",
     "See-through":
         "Durchsichtig",
     "See-through Shadows":
@@ -453,14 +505,22 @@ TEXTS = {
         "Erst einen Gruppen-Node von Facet & Film auswählen",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
         "Eine Gruppe von Facet & Film auswählen oder hinzufügen: Hinzufügen, Facet & Film",
-    "Select an object first: the preset is baked into its active material slot":
-        "Erst ein Objekt auswählen: Die Voreinstellung wird in dessen aktiven Materialslot gebacken",
+    "Select an object first: the material goes into its active material slot":
+        "Zuerst ein Objekt auswählen: Das Material kommt in dessen aktiven Materialslot",
+    "Selected Node":
+        "Gewählter Node",
     "Semiconductors":
         "Halbleiter",
+    "Shelf":
+        "Leiste",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
+    "Show or hide a shelf of all materials along the 3D Viewport, to click on or to drag onto objects":
+        "Zeigt oder verbirgt eine Leiste aller Materialien an der 3D-Ansicht, zum Anklicken oder Ziehen auf Objekte",
+    "Sidebar":
+        "Seitenleiste",
     "Slope 1":
         "Steigung 1",
     "Slope 2":
@@ -477,14 +537,18 @@ TEXTS = {
         "Schichtstapel im Winkel jeder Facette, allein mit Nodes abgetastet, auf jedem Gerät",
     "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
         "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
+    "Standard":
+        "Standard",
+    "Standard as an OSL script: needs Open Shading Language switched on":
+        "Standard als OSL-Skript: Open Shading Language muss eingeschaltet sein",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
     "Sulphides":
         "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
-    "Take the library off the Asset Browser again; what was dragged from it stays":
-        "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
+    "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
+        "Nimmt die Bibliothek wieder aus dem Asset-Browser und mit ihr die Bilder zum Auswählen; Materialien bleiben",
     "Tangent":
         "Tangente",
     "Temperature":
@@ -495,6 +559,8 @@ TEXTS = {
         "Texturanteil",
     "The Papers' Figures":
         "Abbildungen der Veröffentlichungen",
+    "The asset library {:s} was added to your preferences; the extension's own take it out again":
+        "Die Asset-Bibliothek {:s} steht jetzt in den Einstellungen; die der Erweiterung nehmen sie wieder heraus",
     "The colour inside that looks most alike, by CIEDE2000":
         "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -515,12 +581,12 @@ TEXTS = {
         "Die Formel von Granier und Heidrich 2003 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
-    "The library is in Preferences, File Paths already":
-        "Die Bibliothek steht schon unter Einstellungen, Dateipfade",
+    "The library is in your preferences already":
+        "Die Bibliothek steht schon in den Einstellungen",
     "The library is not in the preferences":
         "Die Bibliothek steht nicht in den Einstellungen",
-    "The library {:s} is no longer in the preferences":
-        "Die Bibliothek {:s} steht nicht mehr in den Einstellungen",
+    "The library {:s} is no longer shown":
+        "Die Bibliothek {:s} wird nicht mehr gezeigt",
     "The measured points: wavelength_nm, n, k":
         "Die gemessenen Punkte: wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
@@ -533,10 +599,12 @@ TEXTS = {
         "Die Voreinstellung {file!r} lässt sich nicht lesen.",
     "The processor":
         "Der Prozessor",
-    "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
-        "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
-    "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
-        "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
+    "The published formula as an OSL script: needs Open Shading Language switched on in the Render properties, on the CPU or OptiX; EEVEE shows Standard":
+        "Die veröffentlichte Formel als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften "
+        "eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Standard",
+    "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
+        "Die veröffentlichte Formel selbst, auf jedem Gerät: langsamer und mit mehr Rauschen, zum Vergleich; EEVEE "
+        "zeigt Standard",
     "The same with the colours of the rainbow, each refracted by its own index":
         "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
@@ -545,6 +613,8 @@ TEXTS = {
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The shelf stands in a 3D Viewport in Object Mode":
+        "Die Leiste steht in einer 3D-Ansicht im Objektmodus",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -555,6 +625,8 @@ TEXTS = {
         "Die Prüfung wurde abgebrochen; es gibt keinen Bericht",
     "There is a preset called {:s} already":
         "Es gibt schon eine Voreinstellung namens {:s}",
+    "There is no material of Facet & Film called {name!r}.":
+        "Es gibt kein Material von Facet & Film namens {name!r}.",
     "Thickness":
         "Dicke",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -567,22 +639,27 @@ TEXTS = {
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
     "Thin Walled":
         "Dünnwandig",
-    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
-        "Dieses Blender ist ohne OSL gebaut: die Realisierung Exakt oder Schnell nehmen, die dasselbe Material rendern",
-    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
-        "Diesem Blender fehlt das Modul oslquery, das OSL-Skripte brauchen: die Realisierung Exakt oder Schnell nehmen",
-    "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
-        "Diese Engine rendert stattdessen Schnell: Für diese Umsetzung in den Render-Eigenschaften Cycles wählen",
+    "This Blender is built without OSL: take Reference or Standard, which render the same material":
+        "Dieses Blender ist ohne OSL gebaut: Referenz oder Standard nehmen, die dasselbe Material rendern",
+    "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard":
+        "Diesem Blender fehlt sein Modul oslquery, das OSL-Skripte brauchen: Referenz oder Standard nehmen",
+    "This engine renders Standard in its place: for this realisation choose Cycles in the Render properties":
+        "Diese Engine rendert stattdessen Standard: Für diese Umsetzung Cycles in den Render-Eigenschaften wählen",
     "This file has no material with a measurement: bake a preset first":
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
-    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Exact":
-        "Diese Umsetzung ist ein OSL-Skript und würde schwarz rendern: Open Shading Language in den Render-Eigenschaften einschalten oder Exakt nehmen",
+    "This material belongs to this file already":
+        "Dieses Material gehört schon zu dieser Datei",
+    "This realisation is an OSL script and would render black: switch on Open Shading Language in the Render properties, or take Reference":
+        "Diese Umsetzung ist ein OSL-Skript und würde schwarz: Open Shading Language in den Render-Eigenschaften "
+        "einschalten oder Referenz nehmen",
     "Time":
         "Zeit",
     "Tint":
         "Tönung",
+    "To":
+        "Nach",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Update Materials":
@@ -627,10 +704,14 @@ TEXTS = {
         "Worauf die Proben gerendert werden",
     "What to write":
         "Was geschrieben wird",
+    "Where the material goes":
+        "Wohin das Material kommt",
+    "Where to Find It":
+        "Wo es zu finden ist",
     "Which group to add":
         "Welche Gruppe hinzugefügt wird",
-    "Which presets to show pictures of":
-        "Von welchen Voreinstellungen Bilder gezeigt werden",
+    "Which material to apply":
+        "Welches Material angewandt wird",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench zeigt nur die Ansichtsfarbe: In den Render-Eigenschaften Cycles wählen",
     "Working Space":
@@ -763,12 +844,18 @@ TEXTS = {
         "Leuchtstofflampe, Weiß, 3450 K",
     "{:d} materials baked again":
         "{:d} Materialien neu gebacken",
+    "{:d} objects":
+        "{:d} Objekte",
     "{:s} applied":
         "{:s} angewandt",
     "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
         "{:s} aus {:s} gebacken: größter CIEDE2000 der Anpassung {:.2f}",
+    "{:s} belongs to this file now":
+        "{:s} gehört jetzt zu dieser Datei",
     "{:s} is linked: update it in {:s}":
         "{:s} ist verknüpft: in {:s} aktualisieren",
+    "{:s} on {:s}":
+        "{:s} auf {:s}",
     "{:s} renders by {:s}":
         "{:s} rendert mit: {:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":

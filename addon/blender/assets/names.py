@@ -1,0 +1,55 @@
+"""What assets are called.
+
+The search of Blender's asset shelf reads names alone: so an asset's name has, after the title, the other names that
+people type.
+"""
+
+import functools
+
+__all__ = ["asset_name", "forget", "preset_of", "title_of"]
+
+BETWEEN = " · "
+MOST_BYTES = 63
+"""Of a datablock's name in Blender 4.5."""
+
+
+def asset_name(preset):
+    """Title and as many of the other names as there is room for.
+
+    preset  an addon.catalogue.presets.Preset
+
+    >>> from addon.catalogue.presets import find
+    >>> asset_name(find("aluminium"))
+    'Aluminium · Al · aluminum · 铝'
+    """
+    name = preset.title
+    for other in preset.aliases:
+        longer = f"{name}{BETWEEN}{other}"
+        if other.casefold() not in name.casefold().split(BETWEEN) and len(longer.encode()) <= MOST_BYTES:
+            name = longer
+    return name
+
+
+def title_of(name):
+    """The title that an asset's name begins with."""
+    return name.split(BETWEEN)[0]
+
+
+def preset_of(name):
+    """Name of the preset that an asset of this name is of, or None.
+
+    >>> preset_of("Aluminium · aluminum · Al"), preset_of("Suzanne")
+    ('aluminium', None)
+    """
+    return _by_title().get(title_of(name))
+
+
+@functools.cache
+def _by_title():
+    from ...catalogue.presets import all_presets
+    return {preset.title: preset.name for preset in all_presets().values()}
+
+
+def forget():
+    """Read the presets anew."""
+    _by_title.cache_clear()

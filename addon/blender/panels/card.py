@@ -1,0 +1,73 @@
+"""The card: a large picture of what the object has now, which opens all others, at the top of the Material properties
+and wherever else one looks for a material.
+"""
+
+import bpy
+
+from ..assets import library
+from ..datablocks.locked import is_editable
+from ..operators.targets import active_material
+from . import load_ahead
+from .shelves import PICKER
+
+__all__ = ["attach", "detach", "draw_card", "takes_materials"]
+
+SLOT_PANELS = ("EEVEE_MATERIAL_PT_context_material", "CYCLES_PT_context_material")
+"""Where Blender lists the material slots, by engine; EEVEE's serves Workbench too. They come first of all."""
+PICTURE_UNITS = 6.0
+
+
+def draw_card(layout, context):
+    """The picture on the left, which a click opens; other ways to a material on the right."""
+    load_ahead.when_idle()
+    material = active_material(context)
+    shown = library.is_shown()
+    row = layout.row()
+    row.use_property_split = False
+    picture = row.column()
+    picture.ui_units_x = PICTURE_UNITS
+    _draw_picture(picture, material, shown)
+    column = row.column()
+    column.operator("facet_film.search", text="Search", icon="VIEWZOOM")
+    column.operator("facet_film.shelf", text="Shelf", icon="ASSET_MANAGER")
+    if material is not None and not is_editable(material):
+        column.operator("facet_film.make_local", icon="LIBRARY_DATA_DIRECT")
+    if not shown:
+        layout.operator("facet_film.choose", text="Choose a Material", icon="MATERIAL")
+
+
+def _draw_picture(column, material, opens):
+    """What the object has now; Blender's button for a shelf, which opens it, needs the library to be there."""
+    icon = material.preview_ensure().icon_id if material is not None else 0
+    if opens:
+        drawn = {"icon_value": icon} if icon else {"icon": "MATERIAL"}
+        column.template_asset_shelf_popover(PICKER, name=" ", **drawn)
+    elif icon:
+        column.template_icon(icon, scale=PICTURE_UNITS)
+
+
+def takes_materials(target):
+    """Whether an object has material slots."""
+    return target is not None and hasattr(target.data, "materials")
+
+
+def draw_first(self, context):
+    """The card, before Blender's list of slots."""
+    if takes_materials(context.object) or context.material is not None:
+        draw_card(self.layout, context)
+
+
+def attach():
+    """Put the card before Blender's own panels."""
+    for panel in _panels():
+        panel.prepend(draw_first)
+
+
+def detach():
+    """Take it out again."""
+    for panel in _panels():
+        panel.remove(draw_first)
+
+
+def _panels():
+    return [panel for name in SLOT_PANELS if (panel := getattr(bpy.types, name, None)) is not None]
