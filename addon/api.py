@@ -40,16 +40,17 @@ def bake(preset: Any, **options: Any) -> Bake:
     return bake_spectrum(preset, **{**compat.renderer()._asdict(), **options})
 
 
-def create_material(model: str | None = None, *, preset: Any = None, realisation: str = "fast", name: str | None = None,
-                    material: bpy.types.Material | None = None, viewing: Mapping[str, Any] | None = None,
-                    **parameters: Any) -> bpy.types.Material:
+def create_material(model: str | None = None, *, preset: Any = None, realisation: str = "usual",
+                    name: str | None = None, material: bpy.types.Material | None = None,
+                    viewing: Mapping[str, Any] | None = None, **parameters: Any) -> bpy.types.Material:
     """A Cycles material.
 
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
     preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters
                  alone
     realisation  "fast" or "standard" (native closures), "exact" or "reference" (the formula, nodes alone), "osl" (the
-                 formula, by OSL) or "osl_fast" (closures, by OSL)
+                 formula, by OSL), "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of
+                 the rainbow); by default the one that the preset is meant for, else "fast"
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
@@ -66,7 +67,7 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
         locked.require_editable(material)
     materials.require_name(name)
     record = made(model, preset, realisation, compat.renderer(), viewing, **parameters)
-    _require_osl(realisation)
+    _require_osl(record.realisation)
     return materials.create(record, name, material)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import get_data_path
 from PIL import Image, ImageDraw, ImageFont
 
-__all__ = ["read", "encode", "labelled", "annotated", "row", "column", "strip", "write", "INK", "PAPER"]
+__all__ = ["read", "labelled", "annotated", "row", "column", "strip", "write", "INK", "PAPER"]
 
 INK = (232, 232, 230)
 PAPER = (24, 25, 28)
@@ -18,17 +18,6 @@ def read(path):
     """An 8-bit RGB picture, (rows, columns, 3)."""
     with Image.open(path) as found:
         return np.asarray(found.convert("RGB"))
-
-
-def encode(linear):
-    """Linear Rec.709 as 8-bit sRGB (IEC 61966-2-1), clipped.
-
-    >>> encode(np.array([0.0, 0.5, 2.0])).tolist()
-    [0, 188, 255]
-    """
-    x = np.clip(linear, 0.0, 1.0)
-    curve = np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
-    return np.round(255.0 * curve).astype(np.uint8)
 
 
 def labelled(picture, text, *, size=None):

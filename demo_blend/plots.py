@@ -9,6 +9,7 @@ from matplotlib.figure import Figure as Canvas
 
 from addon.bake import reflected, ways
 from addon.bake.gamut import map_colours
+from addon.bake.srgb import bytes_of
 from addon.catalogue.resolving import resolve
 from addon.models.cook_torrance import formulas as ct
 from addon.models.layered_rgb import formulas as layered
@@ -16,7 +17,6 @@ from addon.reflectance.directions import direction
 from addon.spectra import illuminants, observers
 
 from .job import Figure
-from .pictures import encode
 
 WAVELENGTHS = observers.WAVELENGTH_NM
 CHANNELS = (("red", "#d9412b"), ("green", "#2f9e44"), ("blue", "#2f6fd0"))
@@ -101,7 +101,7 @@ def copper_over_angle(job):
         rgb = np.array(found[name].rgb)
         for (_, colour), values in zip(CHANNELS, rgb.T):
             ax.plot(np.arange(90), values, color=colour, lw=1.2)
-        ax.imshow(encode(map_colours(rgb)[0])[None], extent=(0, 90, 0.0, 0.32), aspect="auto")
+        ax.imshow(bytes_of(map_colours(rgb)[0])[None], extent=(0, 90, 0.0, 0.32), aspect="auto")
         off = f", up to {found[name].delta_e_2000_max:.0f} CIEDE2000 off" if name != "exact" else ""
         ax.set(xlim=(0, 90), ylim=(0, 1.05), title=f"{letter}  Colour, {title}{off}",
                ylabel="linear R, G, B")
@@ -128,7 +128,7 @@ def ways_to_colour(job):
 
 def _colours(values):
     """Values of red, green and blue as colours of a strip; the brightest is white's height, by one scale for all."""
-    return encode(values / values.max())
+    return bytes_of(values / values.max())
 
 
 def layer_thickness(job):

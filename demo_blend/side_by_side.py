@@ -10,8 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
+from addon.bake.srgb import bytes_of
+
 from .job import Figure
-from .pictures import column, encode, labelled, row, strip
+from .pictures import column, labelled, row, strip
 
 MATERIALS = (("copper of figure 6b", "cook_torrance", {"preset": "figure_6b"}),
              ("layers of figure 5, 92 nm", "layered_rgb", {"preset": "figure_5_79_106_nm", "thickness": 92.0}))
@@ -51,7 +53,7 @@ def compared(reference, other):
     scale = np.sqrt(np.mean(reference ** 2))
     rms = np.sqrt(np.mean(difference ** 2)) / scale
     mean = np.mean(difference) / np.mean(reference)
-    return encode(0.2 + BRIGHTER * difference), f"rms {100 * rms:.2f} %\nmean {100 * mean:+.2f} %"
+    return bytes_of(0.2 + BRIGHTER * difference), f"rms {100 * rms:.2f} %\nmean {100 * mean:+.2f} %"
 
 
 def realisations(job):
@@ -60,7 +62,7 @@ def realisations(job):
     rows = []
     for title, model, options in MATERIALS:
         found = {name: rendered(job, model, options, name, f"{title}, {shown}") for name, shown in REALISATIONS}
-        pictures = [labelled(encode(found[name]), shown, size=size) for name, shown in REALISATIONS]
+        pictures = [labelled(bytes_of(found[name]), shown, size=size) for name, shown in REALISATIONS]
         for name, shown in REALISATIONS[:2]:
             difference, words = compared(found["osl"], found[name])
             pictures.append(labelled(difference, f"{BRIGHTER:g} × ({shown} − OSL)\n{words}", size=size))
@@ -85,8 +87,8 @@ def versions(job):
     this, other = bpy.app.version_string.split()[0], str(there["version"])
     for title, *_ in MATERIALS:
         difference, words = compared(there[title], here[title])
-        whole = row([labelled(encode(here[title]), f"Blender {this}", size=size),
-                     labelled(encode(there[title]), f"Blender {other}", size=size),
+        whole = row([labelled(bytes_of(here[title]), f"Blender {this}", size=size),
+                     labelled(bytes_of(there[title]), f"Blender {other}", size=size),
                      labelled(difference, f"{BRIGHTER:g} × difference\n{words}", size=size)])
         rows += [strip(title, whole.shape[1], size=size), whole]
     job.write(column(rows), "side_by_side_versions.jpg")

@@ -8,12 +8,11 @@ The same presets and tables give the same text.
 import pathlib
 import sys
 
-import numpy as np
-
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from addon.bake import bake  # noqa: E402
+from addon.bake.srgb import hex_of  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
 from addon.catalogue.kinds import KINDS  # noqa: E402
 from addon.models.making import made  # noqa: E402
@@ -94,7 +93,7 @@ def row(preset, bake, surface, citations):
     data = [f"`{preset.dataset}` [{citations.index(bake.source.citation) + 1}]." if preset.dataset else "",
             preset.note, preset.estimated and "*Estimated:* " + preset.estimated.removeprefix("Estimated: ")]
     return (f"`{preset.name}`", ", ".join(dict.fromkeys([preset.title, *preset.aliases])),
-            f"{picture(preset.name)} `{swatch(bake.normal_rgb)}`" + ("\\*" if bake.gamut.outside else ""),
+            f"{picture(preset.name)} `{hex_of(bake.normal_rgb)}`" + ("\\*" if bake.gamut.outside else ""),
             numbers(bake.f0, 3), numbers(bake.f82_tint, 2), f"{surface.specular:g}", slopes,
             f"{bake.conductor.delta_e_2000_max:.2f}", " ".join(filter(None, data)))
 
@@ -107,17 +106,6 @@ def picture(name):
 def numbers(values, digits):
     """Numbers in a row; without the sign of a zero."""
     return " ".join(f"{round(value, digits) + 0.0:.{digits}f}" for value in values)
-
-
-def swatch(rgb):
-    """Linear Rec.709 as #rrggbb in sRGB: IEC 61966-2-1.
-
-    >>> swatch((1.0, 0.5, 0.0))
-    '#ffbc00'
-    """
-    linear = np.clip(rgb, 0.0, 1.0)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-    return "#" + "".join(f"{value:02x}" for value in np.round(255.0 * encoded).astype(int))
 
 
 if __name__ == "__main__":

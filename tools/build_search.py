@@ -1,8 +1,9 @@
-"""Builds addon/spectra/data/search.table, the index that the search reads, from the presets and the database's table.
+"""Builds the tables that lists and the search read: addon/spectra/data/catalogue.table and search.table.
 
     python tools/build_search.py [OUTPUT_FOLDER]
 
-To be run whenever presets.json or names.json change; build_tables.py does it too.
+Of presets.json, names.json and the database's table; to be run whenever one of these changes: build_tables.py does it
+too.
 """
 
 import pathlib
@@ -12,48 +13,57 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from addon.catalogue import presets  # noqa: E402
-from addon.catalogue.search import index_line  # noqa: E402
+from addon.catalogue.entries import size_of, stated  # noqa: E402
+from addon.catalogue.search import line_of, notes_of, tags_of, words_of  # noqa: E402
+from addon.models import names as models  # noqa: E402
 from addon.spectra import names, tables  # noqa: E402
 
+OF_MAKERS = {"glass", "popular_glass", "specs", "3d"}
+"""Shelves whose pages are products, not authors."""
 SHELVES = ("main", "other", "organic", "glass", "3d", "popular_glass", "specs")
 
 
 def build(folder):
-    """Write search.table; return how many materials it holds."""
+    """Write both tables; return how many materials and datasets they hold."""
     _, index, values = tables.read("refractiveindex")
-    datasets = {record[0]: record for record in index["records"]}
-    materials = [of_preset(preset, datasets.get(preset.dataset), index) for preset in presets.all_presets().values()]
-    for record in sorted(datasets.values(), key=lambda record: SHELVES.index(record[0].split("/")[0])):
-        materials.append(of_dataset(record, index, values))
-    about = {"title": "What the search reads: presets, then datasets by shelf",
-             "source": "presets.json, names.json, refractiveindex.table",
-             "version": tables.about("refractiveindex")["version"], "licence": "CC0-1.0",
-             "tool": "tools/build_search.py"}
-    found, words = map(list, zip(*materials))
-    tables.pack(folder / "search.table", about, {"found": found, "words": words, "presets": {"names": presets.names()}})
-    return len(materials)
+    version = {"version": tables.about("refractiveindex")["version"], "licence": "CC0-1.0",
+               "tool": "tools/build_search.py"}
+    records = sorted(index["records"], key=lambda record: SHELVES.index(record[0].split("/")[0]))
+    citations = {record[0]: (record[1], index["citations"][record[2]]) for record in records}
+    everything = presets.all_presets().values()
+    about = {"title": "What lists show and search of all presets",
+             "source": "presets.json, names.json, refractiveindex.table"}
+    tables.pack(folder / "catalogue.table", about | version, {
+        "models": {model: size_of(model) for model in models()},
+        "entries": {"rows": [stated(preset) for preset in everything]},
+        "lines": {"texts": [line_of(preset.title, preset.aliases, tags_of(preset)) for preset in everything]},
+        "notes": {"texts": [notes_of(preset, cited(preset.dataset, citations)) for preset in everything]}})
+    about = {"title": "What the search reads of datasets, by shelf", "source": "names.json, refractiveindex.table"}
+    found, called, rest = map(list, zip(*(of_dataset(record, index, values) for record in records)))
+    tables.pack(folder / "search.table", about | version, {
+        "ids": {"ids": [record[0] for record in records]}, "found": found, "names": called, "rest": rest})
+    return len(everything), len(records)
 
 
-def of_preset(preset, record, index):
-    """(what addon.catalogue.search.Found holds, its words) of a preset with its dataset's record, if it has one."""
-    constants = None if record else presets.constants(preset)
-    covers = covers_visible(record) if record else constants is None or constants.covers_visible
-    found = [preset.name, preset.title, preset.kind, preset.dataset, True, covers]
-    named = [preset.name, preset.title, preset.kind, *preset.aliases]
-    others = [preset.note, preset.estimated]
-    if record is not None:
-        named += [*names.material_names(preset.dataset), *preset.dataset.split("/")[1:]]
-        others = [record[1], preset.note, index["citations"][record[2]]]
-    return found, index_line(named, others, [preset.name, preset.title, *preset.aliases])
+def cited(dataset, citations):
+    """The words of a dataset: its id, title and citation; () without one."""
+    return (" ".join(dataset.split("/")[1:]), *citations[dataset]) if dataset else ()
 
 
 def of_dataset(record, index, values):
-    """The same of a dataset's record."""
+    """What is shown of a dataset's record, the words of its material's names, and all others."""
     dataset, title, citation, comment, _, k_model = record
     k = values[k_model[2]:k_model[2] + k_model[3]].mean() if k_model else 0.0
-    found = [dataset, names.title_of(dataset, title), names.kind_of(dataset, k), dataset, False, covers_visible(record)]
-    named = [*names.material_names(dataset), *dataset.split("/")[1:]]
-    return found, index_line(named, [title, comment, index["citations"][citation]])
+    found = [names.title_of(dataset, title), names.kind_of(dataset, k), covers_visible(record)]
+    shelf, book, page = dataset.split("/", 2)
+    called = words([*names.material_names(dataset), page if shelf in OF_MAKERS else "", book])
+    others = words([page, title, comment, index["citations"][citation]])
+    return found, f" {' '.join(called)} ", f" {' '.join(word for word in others if word not in called)} "
+
+
+def words(texts):
+    """The words of some texts, each once."""
+    return dict.fromkeys(word for text in texts for word in words_of(text))
 
 
 def covers_visible(record):
@@ -63,4 +73,4 @@ def covers_visible(record):
 
 
 if __name__ == "__main__":
-    print(f"{build(pathlib.Path(*sys.argv[1:]) if sys.argv[1:] else tables.DIRECTORY)} materials")
+    print("{} materials, {} datasets".format(*build(pathlib.Path(*sys.argv[1:]) if sys.argv[1:] else tables.DIRECTORY)))

@@ -15,6 +15,7 @@ import bpy  # noqa: E402
 import numpy as np  # noqa: E402
 
 from addon import api  # noqa: E402
+from addon.bake.srgb import bytes_of  # noqa: E402
 from addon.blender import compat  # noqa: E402
 from addon.verify import layered_rgb_scenes as layered_scenes  # noqa: E402
 from addon.verify import scenes  # noqa: E402
@@ -61,9 +62,7 @@ def row(name, by_cycles, by_eevee, mask):
 
 def shown(picture, mask):
     """As sRGB, 8 bits, top row first, nothing where there is no sphere."""
-    x = np.clip(picture / WHITE, 0.0, 1.0)
-    x = np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055) * mask[..., None]
-    return (np.round(255.0 * x).astype(np.uint8) >> LOST_BITS << LOST_BITS)[::-1]
+    return (bytes_of(picture / WHITE * mask[..., None]) >> LOST_BITS << LOST_BITS)[::-1]
 
 
 def main(folder):

@@ -14,6 +14,7 @@ from .colour import delta_e_2000, lab, rgb_to_xyz
 from .curve import knots
 from .gamut import DEFAULT
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
+from .srgb import decoded
 
 __all__ = ["Check", "check", "colour_given", "Measurement", "Spread", "spread"]
 
@@ -129,9 +130,8 @@ def colour_given(name, value, space="Rec.709"):
 
 
 def _linear_of_srgb(of_255, space):
-    """Linear RGB in a space of sRGB numbers from 0 to 255.  IEC 61966-2-1."""
-    share = np.array(of_255, float) / 255.0
-    linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    """Linear RGB in a space of sRGB numbers from 0 to 255."""
+    linear = decoded(np.array(of_255, float) / 255.0)
     return tuple(np.linalg.solve(rgb_to_xyz(space), rgb_to_xyz("Rec.709") @ linear).tolist())
 
 

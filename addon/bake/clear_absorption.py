@@ -1,6 +1,5 @@
 """Absorption through a body as three numbers: σ for red, green and blue, fitted over the depths at which it is seen."""
 
-import functools
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +19,14 @@ NOTHING = 1e-9
 FARTHEST = 1e4
 """m: what lets half the light through from farther away is clear."""
 
-STEPS, ROUNDS = 30, 40
+ROUNDS, PATIENCE = 80, 20
+"""Of weighing up what is farthest off: at most, and how many that better nothing end it."""
+
+FIRST_STEPS, STEPS = 30, 12
+"""Of the least squares, in the first round and in each later one, which starts near its end."""
+
+NUDGES = 1e-4 * np.concatenate([np.zeros((1, 3)), np.eye(3)])
+"""Of ln σ, ``(4, 3)``: none, and one a channel, for the slopes."""
 
 
 class Attenuation(NamedTuple):
@@ -73,7 +79,8 @@ def attenuation_of(alpha, viewing):
     target = lab(through(depths), viewing.space)
     start = -np.log(np.clip(through(np.array([half]))[0], 1e-6, 1.0 - 1e-6)) / half
     def difference(log_sigma):
-        return delta_e_2000(target, lab(np.exp(-np.outer(depths, np.exp(log_sigma))), viewing.space))
+        through_body = np.exp(-depths[:, None] * np.exp(log_sigma)[..., None, :])
+        return delta_e_2000(target, lab(through_body, viewing.space))
     sigma, error = _least_largest(difference, np.log(np.maximum(start, NOTHING)))
     return Attenuation(tuple(sigma.tolist()), tuple(np.exp(-sigma * half).tolist()), float(half), error)
 
@@ -88,36 +95,48 @@ def _half(luminance):
 
 
 def _least_largest(difference, start):
-    """(σ, largest difference) of the fit whose largest difference is least."""
-    weights, at, best = np.full(len(DEPTHS), 1.0 / len(DEPTHS)), start, (np.inf, start)
-    for _ in range(ROUNDS):
-        at = _least_squares(functools.partial(_weighted, difference, np.sqrt(weights)), at)
-        errors = difference(at)
-        best = min(best, (float(errors.max()), at), key=lambda pair: pair[0])
-        weights = weights * (errors + 1e-6)
+    """(σ, largest difference) of the fit whose largest difference is least.
+
+    difference  of ln σ ``(..., 3)``: ``(..., depths)``
+    """
+    fit = _Fit(difference, start)
+    weights, best, since = np.full(len(DEPTHS), 1.0 / len(DEPTHS)), (np.inf, start), 0
+    for turn in range(ROUNDS):
+        fit = _least_squares(fit, np.sqrt(weights), STEPS if turn else FIRST_STEPS)
+        largest = float(fit.errors.max())
+        since = 0 if largest < best[0] - 1e-3 else since + 1
+        best = min(best, (largest, fit.at), key=lambda pair: pair[0])
+        if since > PATIENCE:
+            break
+        weights = weights * (fit.errors + 1e-6)
         weights /= weights.sum()
     return np.exp(best[1]), best[0]
 
 
-def _weighted(difference, weights, at):
-    return weights * difference(at)
+class _Fit:
+    """Where a fit stands: ln σ, the difference at every depth ``(D,)``, and its slopes ``(D, 3)``."""
+
+    def __init__(self, difference, at):
+        found = difference(at + NUDGES)
+        self.difference, self.at, self.errors = difference, at, found[0]
+        self.slopes = (found[1:] - found[0]).T / NUDGES.max()
 
 
-def _least_squares(residuals, at):
-    """Levenberg and Marquardt on three unknowns."""
-    damping, found = 1e-2, residuals(at)
-    for _ in range(STEPS):
-        slope = np.stack([(residuals(at + 1e-4 * unit) - found) / 1e-4 for unit in np.eye(3)], axis=1)
-        normal, right = slope.T @ slope, slope.T @ found
-        new = at - np.clip(np.linalg.solve(normal + damping * np.diag(np.diag(normal) + 1e-9), right), -1.0, 1.0)
-        residual = residuals(new)
-        if residual @ residual < found @ found:
-            done = found @ found - residual @ residual < 1e-7 * (found @ found)
-            at, found, damping = new, residual, max(0.25 * damping, 1e-6)
-            if done:
+def _least_squares(fit, weights, steps):
+    """The _Fit of least weighted squares: Levenberg and Marquardt on three unknowns."""
+    damping = 1e-2
+    for _ in range(steps):
+        slope, found = weights[:, None] * fit.slopes, weights * fit.errors
+        normal = slope.T @ slope
+        step = np.linalg.solve(normal + damping * np.diag(np.diag(normal) + 1e-9), slope.T @ found)
+        new = _Fit(fit.difference, fit.at - np.clip(step, -1.0, 1.0))
+        gain = found @ found - np.sum((weights * new.errors) ** 2)
+        if gain > 0.0:
+            fit, damping = new, max(0.25 * damping, 1e-6)
+            if gain < 1e-4 * (found @ found):
                 break
         else:
             damping *= 4.0
             if damping > 1e6:
                 break
-    return at
+    return fit

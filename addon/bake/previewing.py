@@ -2,14 +2,13 @@
 
 import dataclasses
 
-import numpy as np
-
 from ..errors import FacetFilmError
 from ..reflectance import fresnel
 from ..spectra import observers
 from ..spectra.readers import Ambiguous, format_of, read_text
 from ..spectra.readers.text import Text, text_of_file
 from .reflected import Viewing
+from .srgb import encoded
 
 __all__ = ["Preview", "preview", "preview_text"]
 
@@ -83,8 +82,7 @@ def _of(text):
     viewing = Viewing()
     n, k = constants.at(observers.WAVELENGTH_NM)
     f0 = fresnel.conductor(1.0, n, k) @ viewing.weights
-    linear = np.clip(viewing.map(f0)[0], 0.0, 1.0)
-    srgb = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
+    srgb = encoded(viewing.map(f0)[0])
     quantity = "R" if constants.normal_only else "n and k" if constants.has_k else "n"
     return Preview(text.name, read_as, quantity, tuple(constants.range_nm), constants.covers_visible,
                    tuple(f0.tolist()), tuple(srgb.tolist()), constants.assumed, constants=constants)

@@ -14,9 +14,10 @@ __all__ = ["CLASSES", "PACKAGE", "Viewing", "attach", "copy_viewing", "detach", 
 
 PACKAGE = __package__.rsplit(".", 2)[0]
 """Under this name Blender keeps the extension's preferences."""
-DEFAULTS = SimpleNamespace(realisation="fast", in_headers=True, in_menus=True, in_sidebar=False)
+DEFAULTS = SimpleNamespace(realisation="usual", in_headers=True, in_menus=True, in_sidebar=False)
 """Of the preferences, which scripts that import this package alone have not."""
 
+USUAL_ITEM = ("usual", "Usual", "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow")
 REALISATION_ITEMS = [(name, found.title, found.tip) for name, found in REALISATIONS.items()]
 OBSERVER_ITEMS = (
     ("1931", "CIE 1931, 2°", "Small fields of view; what displays are calibrated for"),
@@ -65,10 +66,11 @@ def preset_property(default="copper", options=frozenset()):
         description="Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search")
 
 
-def realisation_property():
-    """The choice of how the formula becomes a material."""
+def realisation_property(*, usual=True):
+    """The choice of how the formula becomes a material; first the one that the material is meant for."""
     return bpy.props.EnumProperty(
-        name="Realisation", items=REALISATION_ITEMS, description="How the formula becomes a Cycles material")
+        name="Realisation", items=[USUAL_ITEM] * usual + REALISATION_ITEMS,
+        description="How the formula becomes a Cycles material")
 
 
 @functools.lru_cache(maxsize=2)

@@ -9,8 +9,9 @@ from typing import Any
 
 from .. import models
 from ..errors import FacetFilmError, choice
+from . import entries
 
-__all__ = ["Preset", "all_presets", "constants", "find", "forget", "names"]
+__all__ = ["Preset", "all_presets", "constants", "find", "forget", "names", "of_model"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -21,27 +22,33 @@ class Preset:
     title        what people call it
     kind         one of addon.catalogue.kinds.KINDS, or for a dataset or file what :func:`addon.spectra.names.kind_of`
                  says
+    category     one of addon.catalogue.categories.CATEGORIES: what it looks like; "" for a dataset or file
     model        the model that it is a material of; "" for a dataset or file, which any that takes a measurement may be
     dataset      "shelf/book/page" that it was measured as, or "" where there is none
     index        in place of a dataset: ((wavelength in nm, n, k), …)
     reflectance  in place of a dataset: ((wavelength in nm, normal reflectance), …), k = 0
     aliases      other names
+    variant_of   name of the preset that it looks nearly like, under which lists show it; "" for one of its own
     note         where the parameters are from
     estimated    what of it is no measurement, and from what it was guessed; "" where all is measured
     parameters   {name: value} of the model's, where they are not its defaults, as the model's folder reads them
+    realisation  the one that it is made by where none is named; "" for the usual one
     """
 
     name: str
     title: str
     kind: str
+    category: str = ""
     model: str = ""
     dataset: str = ""
     index: tuple = ()
     reflectance: tuple = ()
     aliases: tuple[str, ...] = ()
+    variant_of: str = ""
     note: str = ""
     estimated: str = ""
     parameters: Mapping[str, Any] = dataclasses.field(default_factory=dict)
+    realisation: str = ""
 
     @property
     def measured(self):
@@ -65,17 +72,29 @@ def constants(preset):
                 citation=preset.estimated or preset.note, licence="CC0-1.0")
 
 
-@functools.lru_cache(maxsize=1)
 def all_presets():
-    """Every preset by its name, model by model, in the order of the files."""
+    """Every preset by its name, model by model, in the order of the files.
+
+    All of each, which takes a while: what lists show of them is there at once, see addon.catalogue.entries.
+    """
     found = {}
-    for model, folder in models.folders().items():
-        file = folder / "presets.json"
-        for record in json.loads(file.read_text(encoding="utf-8")) if file.exists() else ():
-            preset = Preset(model=model, **{key: _frozen(value) for key, value in record.items()})
-            if preset.name in found:
-                raise ValueError(f"two presets are called {preset.name!r}: see {file}")
-            found[preset.name] = preset
+    for model in models.names():
+        twice = found.keys() & of_model(model).keys()
+        if twice:
+            raise ValueError(f"two presets are called {min(twice)!r}: one is of the model {model}")
+        found |= of_model(model)
+    return found
+
+
+@functools.cache
+def of_model(model):
+    """The presets of one model by their names, as its presets.json has them; {} without one."""
+    file = models.folders()[model] / "presets.json"
+    records = json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
+    found = {record["name"]: Preset(model=model, **{key: _frozen(value) for key, value in record.items()})
+             for record in records}
+    if len(found) < len(records):
+        raise ValueError(f"two presets of {file} are called the same")
     return found
 
 
@@ -85,7 +104,7 @@ def names():
     >>> {"copper", "gold", "vinyl", "nacre"} <= set(names())
     True
     """
-    return tuple(all_presets())
+    return tuple(entries.entries())
 
 
 def find(name):
@@ -102,18 +121,19 @@ def find(name):
     """
     if not isinstance(name, str):
         raise FacetFilmError("A preset is called by its name, such as 'copper', not {value!r}.", value=name)
-    if name in all_presets():
-        return all_presets()[name]
-    as_spelt, by_plain_name = _by_any_name()
-    found = as_spelt.get(name.strip()) or by_plain_name.get(_plain(name))
-    if not found:
-        choice("preset", name, by_plain_name)
-    return all_presets()[found]
+    known = entries.entries()
+    if name not in known:
+        as_spelt, by_plain_name = _by_any_name()
+        found = as_spelt.get(name.strip()) or by_plain_name.get(_plain(name))
+        if not found:
+            choice("preset", name, by_plain_name)
+        name = found
+    return of_model(known[name].model)[name]
 
 
 def forget():
     """Read the files anew, after a model was put on the path of addon.models or taken off it."""
-    all_presets.cache_clear()
+    of_model.cache_clear()
     _by_any_name.cache_clear()
 
 
@@ -121,10 +141,10 @@ def forget():
 def _by_any_name():
     """Names of presets by what else they are called: as spelt, and in plain letters."""
     as_spelt, plain = {}, {name: name for name in names()}
-    for preset in all_presets().values():
-        for other in (preset.name, preset.title, *preset.aliases):
-            as_spelt[other] = preset.name
-            plain.setdefault(_plain(other), preset.name)
+    for entry in entries.entries().values():
+        for other in (entry.name, entry.title, *entry.aliases):
+            as_spelt[other] = entry.name
+            plain.setdefault(_plain(other), entry.name)
     return as_spelt, plain
 
 

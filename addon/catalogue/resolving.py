@@ -125,7 +125,7 @@ def _of_stack(text):
     from ..bake.stack_notation import parse, written
     text = written(parse(text, layer))
     model = next(model for model in models.all_models() if model.made_of == "stack")
-    return Resolved(Preset(text, text, "iridescent", model.name, parameters={model.made_of: text}), None)
+    return Resolved(Preset(text, text, "iridescent", model=model.name, parameters={model.made_of: text}), None)
 
 
 def layer(word):

@@ -5,11 +5,16 @@ import shutil
 
 from ..errors import FacetFilmError
 
-__all__ = ["write_text"]
+__all__ = ["write_bytes", "write_text"]
 
 
 def write_text(path, content):
-    """Write UTF-8 text: into a new file beside the target, which then takes the target's name.
+    """Write UTF-8 text as :func:`write_bytes` writes."""
+    return write_bytes(path, content.encode("utf-8"))
+
+
+def write_bytes(path, content):
+    """Write bytes: into a new file beside the target, which then takes the target's name.
 
     path     of the file; one that exists is replaced
 
@@ -21,7 +26,7 @@ def write_text(path, content):
     folder, name = os.path.split(target)
     aside = os.path.join(folder, f".{name[:40]}.{os.getpid()}.part")
     try:
-        with open(aside, "x", encoding="utf-8", newline="\n") as file:
+        with open(aside, "xb") as file:
             file.write(content)
         if os.path.exists(target):
             shutil.copymode(target, aside)

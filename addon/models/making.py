@@ -10,19 +10,22 @@ from .model import Renderer
 from .realisations import realisation_named
 from .record import Record, Source
 
+USUAL = "usual"
+"""In place of a realisation: the preset's own, or "fast"."""
 ANY_RENDERER = Renderer()
 """The exact formula and Rec.709: what Blender 5 has by default."""
 
-__all__ = ["exported", "made", "rebaked", "renewed", "switched"]
+__all__ = ["USUAL", "exported", "made", "rebaked", "renewed", "switched"]
 
 
-def made(model: str | None = None, preset: Any = None, realisation: str = "fast", renderer: Renderer = ANY_RENDERER,
+def made(model: str | None = None, preset: Any = None, realisation: str = USUAL, renderer: Renderer = ANY_RENDERER,
          viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
     """The Record of a preset or measurement, with some parameters of one's own.
 
     model        name of a model; by default the preset's
     preset       what :func:`addon.catalogue.resolving.resolve` understands; None for the parameters alone
-    realisation  one that the model has, by either of its names: "fast" or "standard", "exact" or "reference", …
+    realisation  one that the model has, by either of its names ("fast" or "standard", "exact" or "reference", …); by
+                 default the preset's own, as "dispersive" of diamond, else "fast"
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
     parameters   of the model, over the preset's own
@@ -37,6 +40,8 @@ def made(model: str | None = None, preset: Any = None, realisation: str = "fast"
     resolved = None if preset is None else resolve(preset)
     chosen = named(model or (resolved and resolved.preset.model) or DEFAULT)
     resolved = _what_it_is_made_of(chosen, resolved, parameters)
+    if realisation == USUAL:
+        realisation = _usual(chosen, resolved)
     realisation = choice("realisation", realisation_named(realisation), chosen.realisations)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
@@ -81,7 +86,8 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
     resolved = resolve(record.source.meant())
     options = _viewing(model, resolved, renderer, record.viewing if viewing is None else viewing)
     baked = model.bake(resolved, options, record.realisation, renderer)
-    new = {name: baked.parameters[name] for name in only or model.baked_names}
+    followed = [name for name, option in model.follows.items() if options[option] != record.viewing.get(option)]
+    new = {name: baked.parameters[name] for name in only or (*model.baked_names, *followed)}
     found = record.changed(parameters=record.parameters.changed(**new), viewing=options, baked=baked.facts)
     return _with_group(found, model, baked.variant)
 
@@ -110,6 +116,12 @@ def exported(record: Record, form: str) -> str:
 def _with_group(record, model, variant=0):
     group = model.group_of(record.realisation, variant)
     return record.changed(group=group.identifier, version=group.version)
+
+
+def _usual(model, resolved):
+    """The realisation that a preset of the model is made by where none is named."""
+    own = resolved is not None and resolved.preset.model == model.name and resolved.preset.realisation
+    return own or next(iter(model.realisations))
 
 
 def _require_of(model, resolved):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from .parameters import Checked, read, sockets_of, written
 
-__all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Picture", "Renderer"]
+__all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Picture", "Renderer", "Swatch"]
 
 
 class Renderer(NamedTuple):
@@ -106,6 +106,22 @@ class Look(NamedTuple):
     diffuse: object
 
 
+class Swatch(NamedTuple):
+    """Colours of a material over what they depend on, as a strip.
+
+    over    what that is: "angle", "thickness" or "depth"
+    unit    of it, as people read it
+    places  the values, ``(columns,)``
+    rgb     linear RGB in the material's working space, ``(rows, columns, 3)``; of several rows the lower are seen at
+            a more grazing angle
+    """
+
+    over: str
+    unit: str
+    places: object
+    rgb: object
+
+
 class Form(NamedTuple):
     """A form that a material leaves in: its title, what it holds, and the file's ending."""
 
@@ -132,10 +148,12 @@ class Model:
     look          function(parameters, place) -> Look; place is None, or x, y, z on a unit ball, ``(...)`` each
     as_baked      function(parameters, facts) -> whether what was baked is still what the material holds
     baked_names   the parameters that a new bake of the same measurement replaces; all others stay as the user set them
+    follows       {parameter: option of a bake}: it is replaced, too, by a bake that has another value of the option
     feeds         function(parameters) -> Feeds that stand before its node
     read_feed     function({group's id: ({socket: value}, outputs that are linked)}) -> {parameter's name: value}
     forms         {name: Form} that :func:`write_form` knows
     write_form    function(form, Record) -> text
+    swatch        function(Record, columns) -> Swatch, or None where its colours depend on nothing that a strip shows
     principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
     measured      whether a measurement that is no preset can become a material of it
     refracts     whether light passes through its materials, which EEVEE has to be told
@@ -156,10 +174,12 @@ class Model:
     facts: Callable | None = None
     as_baked: Callable = lambda parameters, facts: False
     baked_names: tuple[str, ...] = ()
+    follows: Mapping[str, str] = dataclasses.field(default_factory=dict)
     feeds: Callable = lambda parameters: ()
     read_feed: Callable = lambda fed: {}
     forms: Mapping[str, Form] = dataclasses.field(default_factory=dict)
     write_form: Callable | None = None
+    swatch: Callable | None = None
     principled: Callable | None = None
     measured: bool = False
     refracts: bool = False

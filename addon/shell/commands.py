@@ -4,9 +4,11 @@ from ..errors import FacetFilmError, number
 from ..export import json_text
 from . import text as shown
 
-__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "verify_command",
-           "ways_command"]
+__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "swatch_command",
+           "verify_command", "ways_command"]
 
+SHOWN_COLOURS = 9
+"""Of a strip, in a table or JSON."""
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
 
 
@@ -38,14 +40,20 @@ def bake_command(options):
     from ..catalogue.resolving import resolve
     from ..export import write_text
     resolved = resolve(options.material, options.choose)
-    written = _form(options, resolved) if resolved.constants is not None else _unmeasured(options, resolved)
+    written = _form(options, resolved) if _is_a_curve(resolved) else _made(options, resolved)
     if options.output is None:
         return written
     return "Wrote " + write_text(options.output, written + "\n")
 
 
+def _is_a_curve(resolved):
+    """Whether a measurement is baked alone, as a curve over the angle; other models bake a whole material of it."""
+    from ..models import DEFAULT, named
+    return resolved.constants is not None and named(resolved.preset.model or DEFAULT).facts is not None
+
+
 def _form(options, resolved):
-    """A measured material in the form that was asked for."""
+    """A measured curve in the form that was asked for."""
     from .. import export
     from ..bake import bake
     baked = bake(resolved, **_given(options, *VIEWING, "formula", "from_normal_reflectance"))
@@ -63,35 +71,55 @@ def _form(options, resolved):
     return shown.baked(baked)
 
 
-def _unmeasured(options, resolved):
-    """What was baked of a preset that is more than one measurement; the parameters of one that was not measured."""
-    from ..models import named
+def _made(options, resolved):
+    """What was baked into a material, in the form that was asked for; of one that was not measured its parameters."""
     from ..models.making import exported, made
-    if resolved.preset.model and named(resolved.preset.model).picture:
-        record = made(preset=resolved, viewing=_given(options, *VIEWING))
-        form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
-        if form:
-            return exported(record, form).rstrip()
-        return _json(record.baked) if options.json else shown.record(record)
-    if options.csv or options.spectrum_csv or options.materialx:
+    record = made(preset=resolved, viewing=_given(options, *VIEWING))
+    form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
+    if form and record.measured:
+        return exported(record, form).rstrip()
+    if form:
         raise FacetFilmError("{preset} was not measured: it has parameters and no curve. Leave the form out, or take "
                              "--json.", preset=resolved.preset.title)
-    record = made(preset=resolved)
-    return _json(record.to_dict()) if options.json else shown.record(record)
+    if not options.json:
+        return shown.record(record)
+    return _json(record.baked if record.measured else record.to_dict())
+
+
+def swatch_command(options):
+    """A material's colours over what they depend on, as a table, JSON or a picture."""
+    from ..catalogue.resolving import resolve
+    from ..export import swatch_picture, write_bytes
+    from ..models import named
+    from ..models.making import made
+    record = made(preset=resolve(options.material, options.choose), viewing=_given(options, *VIEWING))
+    draw = named(record.model).swatch
+    if draw is None:
+        raise FacetFilmError("{material} is no measurement, and its colours depend on the place as well: a strip of "
+                             "them would say nothing.", material=record.title)
+    swatch = draw(record, swatch_picture.COLUMNS if options.output else SHOWN_COLOURS)
+    if options.output:
+        return "Wrote " + write_bytes(options.output, swatch_picture.swatch_png(swatch, options.space))
+    colours = swatch_picture.swatch_hex(swatch, options.space)
+    if options.json:
+        return _json({"title": record.title, "over": swatch.over, "unit": swatch.unit, "places": swatch.places.tolist(),
+                      "rgb": swatch.rgb.tolist(), "space": options.space, "srgb": colours})
+    return shown.swatch(record.title, swatch, colours)
 
 
 def search_command(options):
     """The materials that fit some words."""
-    from ..catalogue.search import search
+    from ..catalogue.search import look_up
     number("--limit", options.limit, 1)
     words = " ".join(options.text)
-    found = search(words, options.limit)
+    found = look_up(words, options.limit)
+    entries = [*found.materials, *found.measurements][:options.limit]
     if options.json:
-        return _json([vars(entry) for entry in found])
-    if not found:
+        return _json([entry._asdict() for entry in entries])
+    if not entries:
         raise FacetFilmError(
             f"Nothing fits {words!r}; try a material, an author or a formula, such as 'gold babar'.")
-    return shown.found(found)
+    return shown.found(found, options.limit)
 
 
 def check_command(options):

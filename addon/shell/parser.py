@@ -30,6 +30,12 @@ def parser():
     command.add_argument("--from-normal-reflectance", action="store_true",
                          help="from the normal reflectance alone, k = 0 (Cook and Torrance 1982)")
 
+    command = _command(commands, "swatch", work.swatch_command,
+                       "colours over the angle, of films over thickness, of clear bodies over depth", _add_picture)
+    command.add_argument("material", metavar=MATERIAL, help="a material, or a stack of films in words")
+    _add_viewing_options(command)
+    _add_choose_option(command)
+
     command = _command(commands, "search", work.search_command,
                        "search presets and datasets by material, author, formula or name")
     command.add_argument("text", nargs="+", help="words, as in: gold babar")
@@ -93,6 +99,11 @@ def _add_forms(command):
                        ("--materialx", "as MaterialX: conductor_bsdf, generalized_schlick_bsdf")):
         forms.add_argument(name, action="store_true", help=what)
     command.add_argument("-o", "--output", metavar="FILE", help="write into a file, in place of showing it")
+
+
+def _add_picture(command):
+    _add_json(command)
+    command.add_argument("-o", "--output", metavar="FILE", help="write them as a strip, a PNG file")
 
 
 def _add_viewing_options(command, gamut=True):

@@ -1,6 +1,6 @@
 """What the shell's commands print for people."""
 
-__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "record", "spread", "ways"]
+__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "record", "spread", "swatch", "ways"]
 
 SHOWN_DEGREES = (0, 30, 60, 75, 80, 85, 89)
 CHANNELS = ("red", "green", "blue")
@@ -33,13 +33,24 @@ def illuminants(titles):
     return columns(list(titles.items()))
 
 
-def found(entries):
-    """A line a material that a search found.
+def found(results, limit):
+    """A line a material that a search found, and a line a measurement below them.
 
-    entries  addon.catalogue.search.Found
+    results  addon.catalogue.search.Results
     """
-    return columns([(entry.id, entry.title, entry.kind,
-                     "" if entry.covers_visible else "part of the visible only") for entry in entries])
+    said = [f"Nothing is called {results.missing!r}. The nearest:"] if results.missing else []
+    materials = results.materials[:limit]
+    measurements = results.measurements[:limit - len(materials)]
+    if materials:
+        said.append(columns([(entry.id, entry.title, entry.kind, _covered(entry)) for entry in materials]))
+    if measurements:
+        rows = [(entry.id, entry.title, entry.kind, _covered(entry)) for entry in measurements]
+        said += ["Measurements:", columns(rows, "  ")]
+    return "\n".join(said)
+
+
+def _covered(entry):
+    return "" if entry.covers_visible else "part of the visible only"
 
 
 def baked(bake):
@@ -104,6 +115,16 @@ def checked(check):
         f"  CIEDE2000 {check.delta_e_2000_normal:.2f} at 0°, at most {check.delta_e_2000_max:.2f} "
         f"(at {check.at_degrees:.0f}°)",
         "  curve", columns(curve, "    ")])
+
+
+def swatch(title, strip, colours):
+    """Colours face on, a line a place.
+
+    strip    an addon.models.model.Swatch
+    colours  each place's #rrggbb
+    """
+    rows = [(f"{place:.3g} {strip.unit}", colour) for place, colour in zip(strip.places, colours)]
+    return "\n".join([f"{title} over {strip.over}", columns(rows, "  ")])
 
 
 def spread(found):

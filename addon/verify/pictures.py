@@ -1,12 +1,13 @@
 """Pictures for the report as PNG files within the page, written with numpy and zlib alone."""
 
 import base64
-import struct
-import zlib
 
 import numpy as np
 
-__all__ = ["png", "strip", "data_url"]
+from ..bake.srgb import bytes_of
+from ..export.png import png
+
+__all__ = ["data_url", "strip"]
 
 HEIGHT = 96
 GAP = 4
@@ -20,28 +21,13 @@ def strip(picture):
     """
     white = max(float(np.quantile(picture.reference.max(axis=-1), 0.99)), 1e-6)
     difference = np.abs(picture.render - picture.reference) * picture.times
-    parts = [_enlarged(_srgb(part / white)) for part in (picture.reference, picture.render, difference)]
+    parts = [_enlarged(bytes_of(part[::-1] / white)) for part in (picture.reference, picture.render, difference)]
     # Wide pictures, rows of tiles, stand above each other, and square ones side by side.
     axis = 0 if parts[0].shape[1] > 2 * parts[0].shape[0] else 1
     shape = list(parts[0].shape)
     shape[axis] = GAP
     gap = np.full(shape, 255, np.uint8)
     return np.concatenate([parts[0], gap, parts[1], gap, parts[2]], axis=axis)
-
-
-def png(pixels):
-    """The bytes of a PNG file of (rows from the top, columns, 3) of uint8.
-
-    >>> png(np.zeros((2, 2, 3), np.uint8))[:4]
-    b'\\x89PNG'
-    """
-    height, width, _ = pixels.shape
-    rows = b"".join(b"\0" + row.tobytes() for row in np.ascontiguousarray(pixels))
-    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(rows, 9)), (b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-        for kind, data in chunks)
 
 
 def data_url(pixels):
@@ -51,12 +37,6 @@ def data_url(pixels):
     'data:image/png;base64,'
     """
     return "data:image/png;base64," + base64.b64encode(png(pixels)).decode("ascii")
-
-
-def _srgb(linear):
-    linear = np.clip(np.nan_to_num(linear), 0.0, 1.0)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
-    return (encoded[::-1] * 255.0 + 0.5).astype(np.uint8)
 
 
 def _enlarged(pixels):

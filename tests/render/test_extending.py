@@ -18,7 +18,7 @@ from addon.blender.datablocks import groups, materials, menu
 from addon.blender.panels import picker
 from addon.blender.panels.material import FACET_FILM_PT_parameters
 from addon.blender.panels.node_menu import FACET_FILM_MT_add
-from addon.catalogue import presets, search
+from addon.catalogue import entries, presets, search
 from addon.cli import main
 from addon.errors import FacetFilmError
 from addon.verify.running import checks
@@ -31,7 +31,7 @@ FILES = dict(re.findall(r"`lambert/(\S+)`:\n\n```\w+\n(.*?)```", DOCUMENT, re.DO
 
 def forget():
     """What looks at the folders once looks anew."""
-    for module in (models, presets, search, groups, menu, names, search_items):
+    for module in (models, entries, presets, search, groups, menu, names, search_items):
         module.forget()
 
 

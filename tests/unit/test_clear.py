@@ -3,13 +3,15 @@
 import numpy as np
 import pytest
 
+from addon.bake import clear_absorption
 from addon.bake.clear_absorption import alpha_of, attenuation_of
 from addon.bake.clear_index import index_of
+from addon.bake.colour import delta_e_2000
 from addon.bake.reflected import Viewing
 from addon.catalogue import presets
 from addon.models.clear import bands
 from addon.models.clear.forms import gltf, openpbr, principled
-from addon.models.making import made
+from addon.models.making import made, rebaked
 from addon.reflectance.fresnel import dielectric
 from addon.spectra.optical_constants import load
 
@@ -65,6 +67,16 @@ def test_an_exponential_is_fitted_exactly_and_nothing_is_clear():
     assert attenuation_of(np.zeros(421), Viewing()).distance is None
 
 
+def test_the_fit_of_absorption_is_quick(monkeypatch):
+    """Clicking on glass waits for it; each call fits all depths at once, in some 0.1 ms."""
+    calls = []
+    monkeypatch.setattr(clear_absorption, "delta_e_2000", lambda *labs: calls.append(0) or delta_e_2000(*labs))
+    for dataset in ("glass/soda-lime/Rubin-clear", "specs/ISUZU-filter/IVG530"):
+        calls.clear()
+        attenuation_of(alpha_of(load(dataset)), Viewing())
+        assert 20 < len(calls) < 1000
+
+
 def test_the_bands_are_white_together_and_never_negative():
     colours = bands.colour_of((np.arange(4000) + 0.5) / 4000)
     assert colours.min() >= 0.0 and np.allclose(colours.mean(axis=0), 1.0, atol=5e-3)
@@ -85,3 +97,18 @@ def test_other_programs_get_ior_volume_and_dispersion():
 def test_a_medium_is_what_the_faces_are_against():
     assert made(preset="window_glass", viewing={"medium": "water"}).parameters.outside == pytest.approx(1.333, abs=1e-3)
     assert made(preset="window_glass").parameters.outside == 1.0
+
+
+def test_another_medium_on_baking_again_is_what_the_faces_are_against_and_ones_own_index_stays():
+    glass = made(preset="window_glass")
+    in_water = rebaked(glass, viewing={"medium": "water"})
+    assert in_water.parameters.outside == pytest.approx(1.333, abs=1e-3)
+    own = in_water.changed(parameters=in_water.parameters.changed(outside=1.4))
+    assert rebaked(own, viewing={**own.viewing, "illuminant": "A"}).parameters.outside == 1.4
+    assert rebaked(own, viewing={}).parameters.outside == 1.0
+
+
+def test_what_is_known_by_its_rainbow_is_dispersive_where_nothing_else_is_asked_for():
+    assert made(preset="diamond").group == made(preset="crystal_glass").group == "clear_dispersive"
+    assert made(preset="diamond", realisation="fast").group == made(preset="window_glass").group == "clear_fast"
+    assert made("cook_torrance", preset="diamond").realisation == "fast"

@@ -6,10 +6,18 @@ import subprocess
 import sys
 
 import pytest
+from PIL import Image
 
+from addon import models
+from addon.catalogue.presets import all_presets
 from addon.cli import main
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def presets_of(model):
+    """Presets of a model, in the catalogue's order."""
+    return [preset for preset in all_presets().values() if (preset.model or models.DEFAULT) == model]
 
 
 def test_list(capsys):
@@ -33,6 +41,38 @@ def test_bake_as_json(capsys):
     assert main(["bake", "main/Au/Babar", "--json", *options]) == 0
     record = json.loads(capsys.readouterr().out)
     assert record["space"] == "Rec.2020" and record["illuminant"] == "D50"
+
+
+@pytest.mark.parametrize("model", models.names())
+def test_a_preset_of_every_model_bakes(model, capsys):
+    """For people and as JSON; a form that its model has not is refused in a sentence."""
+    name = presets_of(model)[0].name
+    assert main(["bake", name]) == 0
+    assert capsys.readouterr().out.strip()
+    assert main(["bake", name, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)
+    assert main(["bake", name, "--spectrum-csv"]) in (0, 2)
+    assert "Traceback" not in capsys.readouterr().err
+
+
+def test_glass_says_what_was_baked(capsys):
+    assert main(["bake", "glass", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert set(found["ior"]) == {"d", "cauchy", "error_max"} and found["abbe"] == pytest.approx(64.0, abs=0.1)
+    assert set(found["attenuation"]) == {"sigma_per_m", "colour", "distance_m", "delta_e_2000_max"}
+
+
+def test_swatches(capsys, tmp_path):
+    """Over the angle, thickness and depth, as a table, JSON and a picture; nothing for a look without a measurement."""
+    assert main(["swatch", "copper"]) == 0
+    assert "over angle" in capsys.readouterr().out
+    assert main(["swatch", "anodised_titanium", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["over"] == "thickness" and len(found["srgb"]) == len(found["places"]) == len(set(found["srgb"]))
+    strip = tmp_path / "glass.png"
+    assert main(["swatch", "glass", "--space", "ACEScg", "-o", str(strip)]) == 0
+    assert Image.open(strip).size == (512, 96)
+    assert main(["swatch", "nacre"]) == 2
 
 
 def test_search(capsys):

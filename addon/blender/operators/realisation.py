@@ -11,7 +11,7 @@ from ..datablocks.materials import model_of
 from ..settings import realisation_property
 from .targets import active_material
 
-__all__ = ["CLASSES", "shown_name", "what_is_missing"]
+__all__ = ["CLASSES", "IN_EVERY_ENGINE", "shown_name", "what_is_missing"]
 
 
 class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
@@ -21,7 +21,7 @@ class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
     bl_label = "Switch Realisation"
     bl_options = {"REGISTER", "UNDO"}
 
-    realisation: realisation_property()
+    realisation: realisation_property(usual=False)
 
     @classmethod
     def poll(cls, context):

@@ -59,8 +59,6 @@ TEXTS = {
         "将材质和节点组作为偏好设置中的资产库添加到资产浏览器",
     "All Slots":
         "所有槽",
-    "Alloys":
-        "合金",
     "Another Version":
         "其他版本",
     "Apply":
@@ -167,8 +165,6 @@ TEXTS = {
         "Cook–Torrance 快速",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals and Gems":
-        "晶体与宝石",
     "Cut every channel off at 0 and 1":
         "将每个通道截断在 0 与 1",
     "Darken all colours of the material alike, until the largest channel fits":
@@ -277,8 +273,6 @@ TEXTS = {
         "为已保存的预设改名",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
-    "Glasses":
-        "玻璃",
     "Gradient":
         "渐变",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
@@ -309,8 +303,6 @@ TEXTS = {
         "放入每个所选物体的每个材质槽",
     "Into the active material slot of every selected object":
         "放入每个所选物体的活动材质槽",
-    "Iridescent":
-        "虹彩",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
     "Large fields of view":
@@ -321,8 +313,6 @@ TEXTS = {
         "层厚度",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "层堆的第 {place} 层在每个波长处都需要 n 大于 0 且 k 不小于 0。",
-    "Layered Films":
-        "分层薄膜",
     "Layered RGB Exact":
         "Layered RGB 精确",
     "Layered RGB Fast":
@@ -343,8 +333,6 @@ TEXTS = {
         "决定材质颜色的光；D65 是日光，在 Blender 中为白色",
     "Linear Rec.709, Blender's default":
         "线性 Rec.709，Blender 的默认值",
-    "Liquids":
-        "液体",
     "Lower Normal":
         "下层法线",
     "Make Local":
@@ -367,8 +355,6 @@ TEXTS = {
         "测量",
     "Menus":
         "菜单",
-    "Metals":
-        "金属",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
     "Nearest":
@@ -403,22 +389,16 @@ TEXTS = {
         "以图片打开所有材质：每次点击将一种材质赋予所选物体，直到按 Esc。首次使用会将资产库 Facet & Film 添加到偏好设置",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
-    "Other Conductors":
-        "其他导体",
     "Outside":
         "外部介质",
     "Outside IOR":
         "外部折射率",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "色域外：{:s}，通道最多改变 {:.3f}",
-    "Oxides":
-        "氧化物",
     "Parameters":
         "参数",
     "Paste Measurement":
         "粘贴测量数据",
-    "Polymers":
-        "聚合物",
     "Preset":
         "预设",
     "Preset or dataset":
@@ -501,8 +481,6 @@ TEXTS = {
         "请先选择一个物体：材质会放入其活动材质槽",
     "Selected Node":
         "所选节点",
-    "Semiconductors":
-        "半导体",
     "Shelf":
         "材质架",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
@@ -533,10 +511,10 @@ TEXTS = {
         "标准",
     "Standard as an OSL script: needs Open Shading Language switched on":
         "标准方式的 OSL 脚本：需要打开 Open Shading Language",
+    "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "标准；钻石、铅晶质玻璃等以彩虹闻名者用色散",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
-    "Sulphides":
-        "硫化物",
     "Switch Realisation":
         "切换实现方式",
     "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
@@ -549,8 +527,6 @@ TEXTS = {
         "纹理",
     "Texture Share":
         "纹理占比",
-    "The Papers' Figures":
-        "论文中的图",
     "The asset library {:s} was added to your preferences; the extension's own take it out again":
         "资产库 {:s} 已添加到偏好设置；可在扩展的偏好设置中移除",
     "The colour inside that looks most alike, by CIEDE2000":
@@ -652,6 +628,8 @@ TEXTS = {
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Update Materials":
         "更新材质",
+    "Usual":
+        "常用",
     "Vector":
         "矢量",
     "Verify Against the Formulas":

@@ -60,8 +60,6 @@ TEXTS = {
         "Fügt die Materialien und Nodegruppen dem Asset-Browser hinzu, als Bibliothek in den Einstellungen",
     "All Slots":
         "Alle Slots",
-    "Alloys":
-        "Legierungen",
     "Another Version":
         "Andere Version",
     "Apply":
@@ -171,8 +169,6 @@ TEXTS = {
         "Cook–Torrance schnell",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals and Gems":
-        "Kristalle und Edelsteine",
     "Cut every channel off at 0 and 1":
         "Schneidet jeden Kanal bei 0 und 1 ab",
     "Darken all colours of the material alike, until the largest channel fits":
@@ -281,8 +277,6 @@ TEXTS = {
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
-    "Glasses":
-        "Gläser",
     "Gradient":
         "Verlauf",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
@@ -313,8 +307,6 @@ TEXTS = {
         "In jeden Materialslot jedes gewählten Objekts",
     "Into the active material slot of every selected object":
         "In den aktiven Materialslot jedes gewählten Objekts",
-    "Iridescent":
-        "Schillernd",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
     "Large fields of view":
@@ -325,8 +317,6 @@ TEXTS = {
         "Schichtdicke",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "Lage {place} eines Stapels braucht bei jeder Wellenlänge n über 0 und k von mindestens 0.",
-    "Layered Films":
-        "Geschichtete Filme",
     "Layered RGB Exact":
         "Layered RGB exakt",
     "Layered RGB Fast":
@@ -347,8 +337,6 @@ TEXTS = {
         "Licht, in dem das Material seine Farbe hat; D65 ist Tageslicht und in Blender weiß",
     "Linear Rec.709, Blender's default":
         "Lineares Rec.709, Blenders Voreinstellung",
-    "Liquids":
-        "Flüssigkeiten",
     "Lower Normal":
         "Untere Normale",
     "Make Local":
@@ -372,8 +360,6 @@ TEXTS = {
         "Messung",
     "Menus":
         "Menüs",
-    "Metals":
-        "Metalle",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Nearest":
@@ -410,22 +396,16 @@ TEXTS = {
         "kommt die Bibliothek Facet & Film in die Einstellungen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
-    "Other Conductors":
-        "Andere Leiter",
     "Outside":
         "Außen",
     "Outside IOR":
         "Brechzahl außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
-    "Oxides":
-        "Oxide",
     "Parameters":
         "Parameter",
     "Paste Measurement":
         "Messung einfügen",
-    "Polymers":
-        "Polymere",
     "Preset":
         "Voreinstellung",
     "Preset or dataset":
@@ -509,8 +489,6 @@ TEXTS = {
         "Zuerst ein Objekt auswählen: Das Material kommt in dessen aktiven Materialslot",
     "Selected Node":
         "Gewählter Node",
-    "Semiconductors":
-        "Halbleiter",
     "Shelf":
         "Leiste",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
@@ -541,10 +519,10 @@ TEXTS = {
         "Standard",
     "Standard as an OSL script: needs Open Shading Language switched on":
         "Standard als OSL-Skript: Open Shading Language muss eingeschaltet sein",
+    "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "Standard; Dispersiv bei Diamant, Bleikristall und was sonst durch seinen Regenbogen bekannt ist",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
-    "Sulphides":
-        "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
     "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
@@ -557,8 +535,6 @@ TEXTS = {
         "Textur",
     "Texture Share":
         "Texturanteil",
-    "The Papers' Figures":
-        "Abbildungen der Veröffentlichungen",
     "The asset library {:s} was added to your preferences; the extension's own take it out again":
         "Die Asset-Bibliothek {:s} steht jetzt in den Einstellungen; die der Erweiterung nehmen sie wieder heraus",
     "The colour inside that looks most alike, by CIEDE2000":
@@ -664,6 +640,8 @@ TEXTS = {
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Update Materials":
         "Materialien aktualisieren",
+    "Usual":
+        "Üblich",
     "Vector":
         "Vektor",
     "Verify Against the Formulas":

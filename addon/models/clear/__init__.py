@@ -26,6 +26,11 @@ def _write_form(form, record):
     return write_form(form, record)
 
 
+def _swatch(record, columns):
+    from .swatch import swatch
+    return swatch(record, columns)
+
+
 def _principled(record):
     from .forms import principled
     return principled(record)
@@ -51,8 +56,10 @@ MODEL = Model(
     bake=_bake,
     look=_look,
     baked_names=("ior", "cauchy_b", "cauchy_c", "absorption"),
+    follows={"outside": "medium"},
     forms={"json": Form("JSON", "Everything that was baked", ".json")},
     write_form=_write_form,
+    swatch=_swatch,
     principled=_principled,
     measured=True,
     refracts=True,

@@ -31,6 +31,11 @@ def _write_form(form, record):
     return write_form(form, record)
 
 
+def _swatch(record, columns):
+    from .swatch import swatch
+    return swatch(record, columns)
+
+
 def _principled(record):
     from .forms import principled
     return principled(record)
@@ -81,6 +86,7 @@ MODEL = Model(
         "materialx": Form("MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
     },
     write_form=_write_form,
+    swatch=_swatch,
     principled=_principled,
     measured=True,
 )

@@ -41,6 +41,11 @@ def _write_form(form, record):
     return write_form(form, record)
 
 
+def _swatch(record, columns):
+    from .swatch import swatch
+    return swatch(record, columns)
+
+
 def _principled(record):
     from .forms import principled
     return principled(record)
@@ -81,6 +86,7 @@ MODEL = Model(
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
     },
     write_form=_write_form,
+    swatch=_swatch,
     principled=_principled,
     made_of="stack",
     picture=_picture,
