@@ -282,6 +282,8 @@ TEXTS = {
         "公式如何成为 Cycles 材质",
     "IOR":
         "折射率",
+    "IOR Below":
+        "下层折射率",
     "Illuminant":
         "光源",
     "Image Rows":

@@ -287,6 +287,8 @@ TEXTS = {
         "Wie die Formel zu einem Cycles-Material wird",
     "IOR":
         "Brechzahl",
+    "IOR Below":
+        "IOR darunter",
     "Illuminant":
         "Lichtart",
     "Image Rows":
