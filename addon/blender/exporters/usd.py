@@ -12,7 +12,11 @@ __all__ = ["attach", "detach"]
 SURFACE, OPENPBR = "Facet_Film", "Facet_Film_OpenPBR"
 
 
-class FACET_FILM_USD_hook(getattr(bpy.types, "USDHook", object)):  # some Blenders are built without USD
+HOOK = getattr(bpy.types, "USDHook", object)
+"""What Blender's exporter asks; a Blender that was built without USD has none."""
+
+
+class FACET_FILM_USD_hook(HOOK):
     """Materials of ours leave as UsdPreviewSurface, and as OpenPBR for programs that read MaterialX"""
 
     bl_idname = "FACET_FILM_USD_hook"
@@ -56,8 +60,8 @@ def _typed(value):
 
 
 def attach():
-    """Register the hook where Blender has USD, with its Python module: it ends at once where it calls one without."""
-    if hasattr(bpy.types, "USDHook") and importlib.util.find_spec("pxr") is not None:
+    """Register the hook where USD's Python module is to be had: Blender ends at once where it calls one without."""
+    if HOOK is not object and importlib.util.find_spec("pxr") is not None:
         bpy.utils.register_class(FACET_FILM_USD_hook)
 
 
