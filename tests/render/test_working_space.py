@@ -18,6 +18,7 @@ from addon import api
 from addon.bake.colour import delta_e_2000, lab, rgb_to_xyz, space_of_matrix
 from addon.blender import compat
 from addon.blender.datablocks import groups, spaces
+from addon.blender.operators.user_presets import material_of, preset_text
 from addon.models.making import made
 from addon.models.model import Renderer
 from addon.models.moving import moved
@@ -120,6 +121,21 @@ def test_an_asset_of_another_space_arrives_right(tmp_path):
     assert arrived.viewing["space"] == "ACEScg" and arrived.parameters.specular == pytest.approx(0.9)
     assert np.allclose((arrived.parameters.n, arrived.parameters.k), (fresh.parameters.n, fresh.parameters.k))
     assert np.allclose(arrived.parameters.diffuse, fresh.parameters.diffuse, atol=1e-4)
+
+
+@can_change
+def test_re_bake_takes_the_files_space_and_a_saved_preset_arrives_in_it():
+    _, material = in_a_file("Rec.709", preset="copper", tint=(1.0, 0.5, 0.2), viewing={"illuminant": "A"})
+    saved = preset_text(material)
+    set_space("ACEScg")
+    converted = api.record_of(material).parameters.tint  # by Blender
+    api.rebake(material)
+    viewing = api.record_of(material).viewing
+    assert (viewing["space"], viewing["illuminant"]) == ("ACEScg", "A")
+    arrived = api.record_of(material_of(saved))
+    assert (arrived.viewing["space"], arrived.viewing["illuminant"]) == ("ACEScg", "A")
+    assert np.allclose(arrived.parameters.tint, converted, atol=1e-3)
+    assert np.allclose(arrived.parameters.n, api.record_of(material).parameters.n)
 
 
 @can_change
