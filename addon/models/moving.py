@@ -5,7 +5,7 @@ import numpy as np
 from ..bake.colour import converted
 from ..catalogue.resolving import resolve
 from . import named
-from .making import rebaked
+from .making import ANY_RENDERER, rebaked
 from .model import Renderer
 from .parameters import Colour
 from .record import Record
@@ -21,8 +21,8 @@ def space_of(record: Record) -> str:
     return record.viewing.get("space", "")
 
 
-def moved(record: Record, renderer: Renderer, *, colours: bool = True) -> Record:
-    """The Record in the renderer's space.
+def moved(record: Record, renderer: Renderer = ANY_RENDERER, *, colours: bool = True) -> Record:
+    """The Record in the renderer's space, by default linear Rec.709.
 
     colours  whether the colours that the user set are in the record's space, as in a preset of the user's own; not in
              a file, whose colours Blender converts when its space changes, and when something is appended
