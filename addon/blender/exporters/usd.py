@@ -12,7 +12,11 @@ __all__ = ["attach", "detach"]
 SURFACE, OPENPBR = "Facet_Film", "Facet_Film_OpenPBR"
 
 
-class FACET_FILM_USD_hook(bpy.types.USDHook):
+HOOK = getattr(bpy.types, "USDHook", None)
+"""None in a Blender that was built without USD."""
+
+
+class FACET_FILM_USD_hook(HOOK or object):
     """Materials of ours leave as UsdPreviewSurface, and as OpenPBR for programs that read MaterialX"""
 
     bl_idname = "FACET_FILM_USD_hook"
@@ -57,7 +61,7 @@ def _typed(value):
 
 def attach():
     """Register the hook where USD's Python module is to be had: Blender ends at once where it calls one without."""
-    if importlib.util.find_spec("pxr") is not None:
+    if HOOK is not None and importlib.util.find_spec("pxr") is not None:
         bpy.utils.register_class(FACET_FILM_USD_hook)
 
 
