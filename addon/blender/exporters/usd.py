@@ -67,5 +67,5 @@ def attach():
 
 def detach():
     """Take it back."""
-    if FACET_FILM_USD_hook.is_registered:
+    if HOOK is not None and FACET_FILM_USD_hook.is_registered:
         bpy.utils.unregister_class(FACET_FILM_USD_hook)
