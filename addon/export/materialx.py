@@ -14,7 +14,7 @@ from ..errors import FacetFilmError
 from ..reflectance.slopes import along_across
 from .standin import openpbr
 
-__all__ = ["COLOUR_SPACES", "materialx", "materialx_of_standin"]
+__all__ = ["COLOUR_SPACES", "materialx", "materialx_of_standin", "require_exact"]
 
 COLOUR_SPACES = {"Rec.709": "lin_rec709", "ACEScg": "acescg"}
 """MaterialX's standard names of our spaces: what was baked for another is baked again for the first."""
@@ -38,9 +38,7 @@ def materialx(bake, *, slopes, specular=1.0, diffuse=(0.0, 0.0, 0.0), anisotropy
     >>> "generalized_schlick_bsdf" in materialx(bake("copper"), slopes=[(0.2, 1.0)])
     True
     """
-    if bake.conductor.formula != "exact":
-        raise FacetFilmError("MaterialX evaluates the exact conductor Fresnel, but these n and k were fitted "
-                             f"for {bake.conductor.formula!r}; bake with the formula 'exact'.")
+    require_exact(bake)
     root = _document(bake.space, f"{bake.title}; {bake.source.dataset}; {bake.source.citation}; {bake.source.licence}")
     name = _name_of(bake.name)
     stretched = [(tuple(map(float, along_across(m, anisotropy))), w) for m, w in slopes]
@@ -56,6 +54,13 @@ def materialx(bake, *, slopes, specular=1.0, diffuse=(0.0, 0.0, 0.0), anisotropy
     if standin is not None:
         _openpbr(root, f"{name}_openpbr", standin)
     return _text(root)
+
+
+def require_exact(bake):
+    """Raise FacetFilmError for a Bake whose n and k are for another formula than the one that MaterialX evaluates."""
+    if bake.conductor.formula != "exact":
+        raise FacetFilmError("MaterialX evaluates the exact conductor Fresnel, but these n and k were fitted "
+                             f"for {bake.conductor.formula!r}; bake with the formula 'exact'.")
 
 
 def materialx_of_standin(name, comment, standin, *, film=None):

@@ -75,10 +75,9 @@ def _form(options, resolved):
         from ..models import DEFAULT, named
         return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
     if options.materialx:
-        from ..models.making import made
-        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
-        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse,
-                                anisotropy=p.anisotropy, rotation=p.rotation).rstrip()
+        from ..models.making import exported, made
+        export.require_exact(baked)
+        return exported(made(preset=resolved, viewing=_given(options, *VIEWING)), "materialx").rstrip()
     return shown.baked(baked)
 
 
