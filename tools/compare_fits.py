@@ -30,8 +30,10 @@ from addon.models.fitted import UP  # noqa: E402
 
 PAGE = ROOT / "docs" / "measured_brdfs.md"
 PICTURES = ROOT / "docs" / "pictures"
-SHOWN = {"cc_iris_purple_gem": "curve", "vch_golden_yellow": "n_k", "irid_flake_paint2": "f0"}
-"""Materials that are pictured, and the fit beside each."""
+SHOWN = {"cc_iris_purple_gem": ("curve", "measured_cc_iris_purple_gem.png"),
+         "vch_golden_yellow": ("n_k", "measured_vch_golden_yellow.png"),
+         "irid_flake_paint2": ("f0", "measured_irid_flake_paint2.png")}
+"""Materials that are pictured: the fit beside each, and the picture."""
 STARTS, ROUNDS, SEED = 10, 20, 1
 BEGIN, END = "<!-- made by tools/compare_fits.py -->\n", "<!-- end -->\n"
 
@@ -101,11 +103,11 @@ def main(folder):
                 **{fresnel: fit(measurement, fresnel=fresnel) for fresnel in ("f0", "n_k", "curve", "best")}}
         rows.append((name, measurement.title, fits))
         if name in SHOWN:
-            pictures[name] = fits[SHOWN[name]], fits["layered"]
+            pictures[name] = fits[SHOWN[name][0]], fits["layered"]
         print(name, {key: round(one.mean, 2) for key, one in fits.items()}, flush=True)
     for name, (one, other) in pictures.items():
         pixels = np.concatenate([picture_pixels(one, 200), picture_pixels(other, 200)[:, 200:]], axis=1)
-        (PICTURES / f"measured_{name}.png").write_bytes(png(bytes_of(pixels)))
+        (PICTURES / SHOWN[name][1]).write_bytes(png(bytes_of(pixels)))
     text = PAGE.read_text(encoding="utf-8")
     text = re.sub(f"{BEGIN}.*?{END}", lambda _: BEGIN + table(rows) + END, text, flags=re.DOTALL)
     PAGE.write_text(text, encoding="utf-8")
