@@ -169,9 +169,11 @@ def _typed_colours(model, resolved, space):
 
 
 def _viewing(model, resolved, renderer, viewing):
-    """All options of a bake, the file's working space where none is named; {} where nothing is measured."""
+    """All options of a bake, the file's working space where none is named; of what is stated and not measured the space
+    alone, and {} where a model has none.
+    """
     if resolved.constants is None and not model.picture:
-        return {}
+        return {"space": renderer.space} if model.measured else {}
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})
     return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,

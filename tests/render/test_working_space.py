@@ -21,7 +21,7 @@ from addon.blender.datablocks import groups, spaces
 from addon.blender.operators.user_presets import material_of, preset_text
 from addon.models.making import made
 from addon.models.model import Renderer
-from addon.models.moving import moved
+from addon.models.moving import moved, space_of
 from tests.ocio_configuration import AP1, P3, write_configuration
 from tests.render import probes
 
@@ -158,6 +158,16 @@ def test_what_the_user_changed_is_moved_along():
     mirror = [conductor(1.0, np.array(one.parameters.n), np.array(one.parameters.k)) for one in (tuned, there)]
     assert delta_e_2000(lab(mirror[0]), lab(mirror[1], "ACEScg")) < 1.0
     assert moved(tuned, Renderer(space="ACEScg"), colours=False).parameters.diffuse == tuned.parameters.diffuse
+
+
+def test_a_preset_that_is_stated_and_not_measured_is_moved_too():
+    felt = made(preset="felt_pink", roughness=0.4)
+    there = moved(felt, Renderer(space="ACEScg"))
+    fresh = made(preset="felt_pink", renderer=Renderer(space="ACEScg"))
+    assert (there.viewing, there.parameters.roughness) == ({"space": "ACEScg"}, 0.4)
+    assert (there.parameters.n, there.parameters.diffuse) == (fresh.parameters.n, fresh.parameters.diffuse)
+    seen_here, seen_there = (lab(np.array(one.parameters.diffuse), space_of(one)) for one in (felt, there))
+    assert delta_e_2000(seen_here, seen_there) < 0.1
 
 
 def test_a_matrix_is_known_again_or_kept_as_primaries():
