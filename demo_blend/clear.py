@@ -164,7 +164,7 @@ def window(job):
 
 def bubbles(job):
     """Soap bubbles: the film model's sheet between air and air."""
-    scene = clear_scene(job, 560, 420, 16)
+    scene = clear_scene(job, 560, 420, 16, exposure=0.8)
     bubble = _material("soap_bubble")
     for place, size in (((-0.75, 0.0, 1.35), 1.0), ((0.95, 0.5, 1.9), 0.55), ((0.75, -0.7, 0.75), 0.42)):
         ball = turned_object("Bubble", _circle(), bubble, segments=96, points_between=2)

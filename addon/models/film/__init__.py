@@ -84,9 +84,11 @@ MODEL = Model(
     forms={
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
+        "materialx": Form("MaterialX", "open_pbr_surface and a conductor_bsdf with a thin film", ".mtlx"),
     },
     write_form=_write_form,
     swatch=_swatch,
+    fits={"curve": "fits.Curve"},
     standin=_standin,
     made_of="stack",
     picture=_picture,

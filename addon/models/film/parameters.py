@@ -41,7 +41,8 @@ class ThicknessRange(Parameter):
 
 
 class Layers(Text):
-    """A stack in the notation of addon.bake.stack_notation, which is parsed where it is baked."""
+    """A stack in the notation of addon.bake.stack_notation, or a curve in that of addon.bake.film_curve; both are read
+    where they are baked."""
 
     def checked(self, value):
         """A text with two layers at least."""
