@@ -12,6 +12,8 @@ space := $(empty) $(empty)
 series := $(subst $(space),.,$(wordlist 1,2,$(subst ., ,$(BPY))))
 VENV ?= .venv$(series:%=-%)
 TESTS ?= tests/unit tests/render tests/package
+# The site needs no Blender and has an environment of its own.
+SITE ?= .venv-site
 RUN = $(VENV)/bin/python
 # The oldest Blender supported builds the assets: a newer one opens its files, it opens no newer one's.
 OLDEST ?= .venv-4.5
@@ -22,7 +24,8 @@ SMOKE = tests/package tests/render/test_every_preset.py tests/render/test_groups
 SUPPORTED = 4.5 5.0 5.1 5.2
 
 .DEFAULT_GOAL := help
-.PHONY: help setup lint groups library demo figures test verify smoke matrix bench package assets test-window
+.PHONY: help setup lint groups library demo figures test verify smoke matrix bench package assets test-window \
+	setup-site site test-site release
 
 help:
 	@echo "make demo      bake copper, gold and vinyl, render the two vases into out/"
@@ -33,6 +36,8 @@ help:
 	@echo "make verify    render every model and realisation, hold them against the formulas, write out/verification.html"
 	@echo "make bench     measure time, noise and sizes, write out/bench.json and docs/benchmarks.md"
 	@echo "make package   build and validate dist/facet_film-<version>.zip"
+	@echo "make site      build the documents and the catalogue as pages that need no server, dist/site/; make test-site tests it"
+	@echo "make release   build all that a release holds, for a static host, into dist/release/"
 	@echo "make lint      hold the sources to the rules in pyproject.toml"
 	@echo "make groups    build the node groups, where their sources have changed; make library the assets too"
 	@echo "make assets    build everything that is made of data and sources: search index, groups, previews, documents"
@@ -83,6 +88,21 @@ bench: library
 
 package: library
 	$(RUN) tools/package.py --out dist
+
+setup-site:
+	@python=$$(PYTHON="$(PYTHON)" VENV="$(SITE)" sh tools/find_python.sh) \
+	&& "$$python" tools/setup_venv.py --venv "$(SITE)" --site
+
+site: setup-site
+	$(SITE)/bin/python tools/build_data.py
+	$(SITE)/bin/python tools/build_site.py --data dist/catalogue.json
+
+# In Chromium; on Debian: apt-get install chromium chromium-driver. What all tests share is Blender's, and not theirs.
+test-site: setup-site
+	$(SITE)/bin/python -m pytest tests/site --confcutdir=tests/site
+
+release: package site
+	$(RUN) tools/release.py
 
 assets:
 	$(MAKE) setup BPY=4.5 VENV=$(OLDEST)

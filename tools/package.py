@@ -37,12 +37,12 @@ def blender_scripts():
     return next(Path(spec.origin).parent.glob("*/scripts"))
 
 
-def extension_tool(*arguments):
-    """Run Blender's extension tool, with the list of tags that its own command line checks against."""
+def extension_tool(*arguments, tagged=True):
+    """Run Blender's extension tool; tagged: with the list of tags that its own command line checks against."""
     scripts = blender_scripts()
     tool = scripts / "addons_core" / "bl_pkg" / "cli" / "blender_ext.py"
     tags = scripts / "modules" / "_bpy_internal" / "extensions" / "tags.py"
-    command = [sys.executable, "-B", tool, *arguments, f"--valid-tags={tags}"]
+    command = [sys.executable, "-B", tool, *arguments, *([f"--valid-tags={tags}"] if tagged else [])]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         raise PackageError(f"Blender's extension tool refused ({arguments[0]}): {done.stdout}{done.stderr}")

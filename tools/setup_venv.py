@@ -1,8 +1,9 @@
 """Make the virtual environment that tests, tools and the demo run in; nothing to do costs nothing.
 
-    python tools/setup_venv.py [--venv .venv] [--bpy 5.2]
+    python tools/setup_venv.py [--venv .venv] [--bpy 5.2 | --site]
 
-The packages are those of requirements/bpy-VERSION.txt, all at exact versions. A stamp in the environment
+The packages are those of requirements/bpy-VERSION.txt, or of requirements/site.txt for the site, which needs no
+Blender; all at exact versions. A stamp in the environment
 holds the hash of these pins: when it fits, nothing is done. An environment whose packages already fit is
 adopted as it is; one of another Python is refused, never deleted.
 """
@@ -15,7 +16,10 @@ import sys
 from pathlib import Path
 
 REQUIREMENTS = Path(__file__).resolve().parent.parent / "requirements"
+SITE = REQUIREMENTS / "site.txt"
 STAMP = "facet_film_pins"
+BLENDER = "bpy=="
+"""What the last pin of an environment with Blender begins with."""
 DEFAULT_BPY = {"3.11": "4.5.15", "3.13": "5.2.3"}
 
 # What bpy's library is linked against (EGL it opens by itself, for EEVEE), and the Debian package of each.
@@ -88,9 +92,9 @@ def pins_of(path):
 
 
 def required_python(path):
-    """The Python version that a Blender's requirement file is for: the one it includes by name."""
+    """The Python version that a requirement file is for: the one it includes by name; without one any will do."""
     included = [line for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("-r ")]
-    return included[0].removeprefix("-r python-").removesuffix(".txt")
+    return included[0].removeprefix("-r python-").removesuffix(".txt") if included else running_python()
 
 
 def answer(python, code):
@@ -123,7 +127,8 @@ def install(python, requirements, pins):
     installed = set((answer(python, LIST_INSTALLED) or "").split())
     if set(pins) <= installed:
         return
-    print(f"Installing the packages of {requirements.name} (about 1 GB with Blender) …", flush=True)
+    size = " (about 1 GB with Blender)" if pins[-1].startswith(BLENDER) else ""
+    print(f"Installing the packages of {requirements.name}{size} …", flush=True)
     pip = [python, "-m", "pip", "--disable-pip-version-check"]
     if subprocess.run([*pip, "install", "--quiet", "--no-deps", "-r", requirements]).returncode != 0:
         raise SetupError(f"{pins[-1]} and its companions could not be installed: pip's message is above.")
@@ -141,9 +146,8 @@ def see_that_blender_starts(python, bpy):
         raise SetupError(f"{bpy} is installed and does not start ({reason}){way_out}.")
 
 
-def set_up(venv, bpy=""):
-    """Bring the environment to the pins of a Blender version, doing only what is still to do."""
-    requirements = requirement_file(bpy)
+def set_up(venv, requirements):
+    """Bring the environment to the pins of a requirement file, doing only what is still to do."""
     version = required_python(requirements)
     if running_python() != version:
         raise SetupError(f"{requirements.stem} is for Python {version}, and this is {running_python()}: "
@@ -155,7 +159,8 @@ def set_up(venv, bpy=""):
         return
     python = make_environment(venv, version)
     install(python, requirements, pins)
-    see_that_blender_starts(python, pins[-1])
+    if pins[-1].startswith(BLENDER):
+        see_that_blender_starts(python, pins[-1])
     stamp.write_text(fingerprint + "\n")
     print(f"{venv} is ready: {pins[-1]} on Python {version}.", flush=True)
 
@@ -165,6 +170,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--venv", type=Path, default=Path(".venv"), help="where the environment is (.venv)")
     parser.add_argument("--bpy", default="", help="Blender version, such as 5.2 (default: by Python)")
+    parser.add_argument("--site", action="store_true", help="what the site is built and tested with, without Blender")
     parser.add_argument("--missing-libraries", action="store_true",
                         help="only print the Debian packages of system libraries that bpy misses here")
     arguments = parser.parse_args()
@@ -172,7 +178,7 @@ def main():
         print(*missing_libraries())
         return
     try:
-        set_up(arguments.venv, arguments.bpy)
+        set_up(arguments.venv, SITE if arguments.site else requirement_file(arguments.bpy))
     except SetupError as error:
         sys.exit(f"Set-up failed: {error}")
 

@@ -14,7 +14,8 @@ from .fit import colour_metric, family_of, fit, largest_delta_e, linear_family_o
 from .gamut import DEFAULT, GamutReport
 from .reflected import ANGLES, AT_82, AT_NORMAL, COMPARED, COS_THETA, Viewing, reflect
 
-__all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "plain", "bake_with_index", "FORMULAS"]
+__all__ = ["Bake", "Source", "ConductorFit", "F82Fit", "FresnelCurve", "bake", "plain", "bake_with_index",
+           "conductor_of_curve", "FORMULAS"]
 
 FORMULAS = {"exact": fresnel.conductor, "blender-4.5": fresnel.conductor_blender_4_5}
 """What the renderer evaluates for a conductor: exact from Blender 5.0, before that an approximation."""
@@ -210,6 +211,21 @@ def fit_conductor(reflected, formula, metric, target_lab):
     fitted = reflectance(ANGLES[COMPARED, None], n, np.sqrt(k2))
     delta_e = largest_delta_e(fitted, target_lab, reflected.viewing.space)
     return ConductorFit(tuple(n.tolist()), tuple(np.sqrt(k2).tolist()), formula, delta_e)
+
+
+def conductor_of_curve(rgb, n, k, space):
+    """The ConductorFit, by the exact equation, of a curve of one's own.
+
+    rgb   linear RGB at ANGLES, ``(A, 3)``
+    n, k  where the search starts, ``(3,)`` each
+    """
+    target = lab(rgb, space)
+    family = family_of(lambda c, n, k2: fresnel.conductor(c, n, np.sqrt(k2)), ANGLES[FITTED])
+    found, k2 = fit(family, rgb[FITTED], np.stack([n, k * k]), (N_RANGE[0], K_RANGE[0] ** 2),
+                    (N_RANGE[1], K_RANGE[1] ** 2), colour_metric(rgb[FITTED], target[FITTED], space))
+    curve = fresnel.conductor(ANGLES[COMPARED, None], found, np.sqrt(k2))
+    return ConductorFit(tuple(found.tolist()), tuple(np.sqrt(k2).tolist()), "exact",
+                        largest_delta_e(curve, target[COMPARED], space))
 
 
 F82_CURVES = linear_family_of(fresnel.f82_unclamped, ANGLES[FITTED])

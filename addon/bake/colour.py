@@ -8,7 +8,8 @@ import numpy as np
 from ..errors import FacetFilmError, choice
 from ..spectra import illuminants, observers
 
-__all__ = ["SPACES", "canonical_space", "rgb_to_xyz", "spectral_weights", "lab", "delta_e_2000", "BRADFORD"]
+__all__ = ["SPACES", "canonical_space", "converted", "rgb_to_xyz", "space_to_space", "space_of_matrix",
+           "spectral_weights", "lab", "delta_e_2000", "BRADFORD"]
 
 D65 = (0.3127, 0.3290)
 SPACES = {
@@ -28,18 +29,23 @@ NEAREST = {"p3": "Rec.2020", "displayp3": "Rec.2020", "dcip3": "Rec.2020", "p3d6
            "ap0": "ACEScg", "aces20651": "ACEScg", "prophoto": "ACEScg", "romm": "ACEScg"}
 """Spaces that are not there, and the one that comes nearest."""
 
+MEASURED = "primaries"
+"""How the text of a measured space begins: x, y of red, green, blue and white follow."""
+SAME_SPACE = 2e-3
+"""Difference of matrices to XYZ up to which a measured space is one of SPACES: two versions of sRGB's are in use."""
+
 BRADFORD = np.array([[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]])
 
 
 def canonical_space(space):
-    """The name that SPACES has for a space, however it is spelt.
+    """The name that SPACES has for a space, however it is spelt, or the text of a measured one.
 
     Raises FacetFilmError for a space that is not there, with the nearest.
 
     >>> canonical_space("Linear Rec.709"), canonical_space("sRGB"), canonical_space("AP1")
     ('Rec.709', 'Rec.709', 'ACEScg')
     """
-    if isinstance(space, str) and space in SPACES:
+    if isinstance(space, str) and (space in SPACES or _measured(space) is not None):
         return space
     plain = re.sub("[^a-z0-9]", "", str(space).lower())
     plain = plain if plain == "linear" else re.sub("linear|scene|itur?|encoded", "", plain)
@@ -47,6 +53,59 @@ def canonical_space(space):
         raise FacetFilmError("{name} {value!r} is unknown; did you mean {near}? Valid: {valid}.", name="space",
                              value=space, near=(NEAREST[plain],), valid=", ".join(map(repr, SPACES)))
     return choice("space", ALIASES.get(plain, space), SPACES)
+
+
+def space_of_matrix(matrix):
+    """The scene-linear space with a matrix ``(3, 3)`` from linear RGB to XYZ, in which white is that of D65.
+
+    Returns one of SPACES, or a text that :func:`rgb_to_xyz` takes: "primaries" with x and y of red, green, blue and
+    white.  Raises FacetFilmError for a matrix that is none of a space.
+
+    >>> space_of_matrix(rgb_to_xyz("ACEScg"))
+    'ACEScg'
+    >>> space_of_matrix(rgb_to_xyz("Rec.709")[:, [1, 0, 2]])
+    'primaries 0.300000 0.600000 0.640000 0.330000 0.150000 0.060000 0.312700 0.329000'
+    """
+    matrix = np.array(matrix, float)
+    for space in SPACES:
+        if np.abs(matrix - rgb_to_xyz(space)).max() <= SAME_SPACE:
+            return space
+    colours = np.concatenate([matrix.T, [matrix.sum(axis=1)]])
+    sums = colours.sum(axis=1)
+    if not np.isfinite(matrix).all() or np.linalg.matrix_rank(matrix) < 3 or np.abs(sums).min() < 1e-6:
+        raise FacetFilmError("The scene-linear space of this file has no three primaries; choose another OpenColorIO "
+                             "configuration, or name a space.")
+    return " ".join([MEASURED, *(f"{x:.6f}" for x in (colours[:, :2] / sums[:, None]).ravel())])
+
+
+def space_to_space(space_from, space_to):
+    """Matrix ``(3, 3)`` that takes linear RGB of one space to another.
+
+    >>> bool(np.allclose(space_to_space("Rec.709", "ACEScg") @ np.ones(3), 1.0))
+    True
+    """
+    return np.linalg.solve(rgb_to_xyz(space_to), rgb_to_xyz(space_from))
+
+
+def converted(rgb, space_from, space_to):
+    """A surface's colour ``(3,)`` of one space in another, brought into [0, 1], as a tuple.
+
+    >>> converted((1.0, 1.0, 1.0), "Rec.709", "ACEScg"), converted((0.2, 0.3, 0.4), "Rec.709", "Rec.709")
+    ((1.0, 1.0, 1.0), (0.2, 0.3, 0.4))
+    """
+    if space_from == space_to:
+        return tuple(rgb)
+    return tuple(np.clip(np.round(space_to_space(space_from, space_to) @ np.array(rgb), 7), 0.0, 1.0).tolist())
+
+
+def _measured(space):
+    """x and y of red, green, blue and white, ``(4, 2)``, of the text of a measured space; None for another text."""
+    first, _, numbers = space.partition(" ")
+    try:
+        found = np.array(numbers.split(), float)
+    except ValueError:
+        return None
+    return found.reshape(4, 2) if first == MEASURED and found.shape == (8,) else None
 
 
 def _xyz_of(x_y):
@@ -72,17 +131,25 @@ def rgb_to_xyz(space="Rec.709"):
 
     A space with another white, ACEScg, is adapted to D65 by Bradford's
     transform, as Blender's colour management does: its neutral is D65's white
-    in every space, and one material looks alike in all.
+    in every space, and one material looks alike in all.  That of a measured space
+    is as it was measured.
 
     Raises FacetFilmError for an unknown space.
 
     >>> rgb_to_xyz("Rec.709")[1].round(4).tolist()
     [0.2126, 0.7152, 0.0722]
     """
+    measured = _measured(space) if space not in SPACES else None
+    if measured is not None:
+        return _matrix_of(measured[:3], measured[3])
     primaries, white = SPACES[choice("space", space, SPACES)]
-    columns = np.stack([_xyz_of(x_y) for x_y in primaries], axis=1)
-    matrix = columns * np.linalg.solve(columns, _xyz_of(white))
+    matrix = _matrix_of(primaries, white)
     return matrix if white == D65 else adaptation(_xyz_of(white), _xyz_of(D65)) @ matrix
+
+
+def _matrix_of(primaries, white):
+    columns = np.stack([_xyz_of(x_y) for x_y in primaries], axis=1)
+    return columns * np.linalg.solve(columns, _xyz_of(white))
 
 
 @functools.lru_cache(maxsize=64)

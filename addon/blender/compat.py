@@ -1,9 +1,15 @@
 """Every difference between Blender 4.5 and 5.2 that this extension meets, tested by feature."""
 
-import bpy
+import functools
 
-__all__ = ["conductor_formula", "drags_from_shelves", "enable", "enable_nodes", "eevee_engine", "is_enabled",
-           "is_unused_newcomer", "renderer", "set_refraction", "working_space"]
+import bpy
+from mathutils import Color
+
+__all__ = ["conductor_formula", "converts_colours", "drags_from_shelves", "enable", "enable_nodes", "eevee_engine",
+           "is_enabled", "is_unused_newcomer", "renderer", "set_refraction", "working_space"]
+
+
+AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def conductor_formula():
@@ -22,13 +28,25 @@ def conductor_formula():
 
 
 def working_space():
-    """The file's scene-linear space: "Rec.709", "Rec.2020" or "ACEScg"."""
-    colourspace = getattr(bpy.data, "colorspace", None)
-    name = getattr(colourspace, "working_space", "Linear Rec.709")
-    for space in ("Rec.2020", "ACEScg"):
-        if space in name:
-            return space
-    return "Rec.709"
+    """The file's scene-linear space as addon.bake takes it: "Rec.709", "Rec.2020", "ACEScg", or one measured.
+
+    Measured by the matrix that Blender itself converts colours with, so that any OpenColorIO configuration will do.
+    """
+    return _space_of(tuple(tuple(Color(axis).from_scene_linear_to_xyz_d65()) for axis in AXES))
+
+
+@functools.lru_cache(maxsize=8)
+def _space_of(columns):
+    from ..bake.colour import space_of_matrix  # which loads numpy, and enabling the extension does not wait for that
+    return space_of_matrix(tuple(zip(*columns)))
+
+
+def converts_colours():
+    """Whether Blender converts the colours of a file's sockets when its space changes and when something is appended.
+
+    From 5.0, whose files say which space they are in.
+    """
+    return hasattr(bpy.data, "colorspace")
 
 
 def renderer():

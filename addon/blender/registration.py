@@ -5,6 +5,7 @@ import bpy
 from . import settings, translations
 from .assets import imported, library, names, search_items, thumbnails
 from .datablocks import groups, menu
+from .exporters import usd
 from .operators import (
     add_group,
     apply,
@@ -14,8 +15,12 @@ from .operators import (
     check,
     choose,
     export,
+    finish,
+    fit_brdf,
     make_local,
+    match_space,
     measurements,
+    principled,
     realisation,
     rebake_all,
     update,
@@ -34,15 +39,17 @@ from .panels import (
     shelves,
     versions,
 )
+from .panels import finish as finish_panel
 
 __all__ = ["register", "unregister"]
 
-CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES, *make_local.CLASSES, *bake.CLASSES,
-           *realisation.CLASSES, *measurements.CLASSES, *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES,
-           *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES,
-           *verify.CLASSES, *material.CLASSES, *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES,
+CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES, *bake.CLASSES, *realisation.CLASSES,
+           *measurements.CLASSES, *fit_brdf.CLASSES, *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES,
+           *make_local.CLASSES, *match_space.CLASSES, *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES,
+           *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES,
+           *material.CLASSES, *finish_panel.CLASSES, *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES,
            *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
-ATTACHED = (translations, settings, card, menus, node_menu, imported)
+ATTACHED = (translations, settings, card, menus, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []
 

@@ -6,15 +6,20 @@ from types import SimpleNamespace
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
+from ..finishes import all_finishes
 from ..models.realisations import REALISATIONS
 from .panels import picker
 
-__all__ = ["CLASSES", "PACKAGE", "Viewing", "attach", "copy_viewing", "detach", "preferences", "preset_property",
-           "realisation_property", "search_presets", "viewing_of"]
+__all__ = ["CLASSES", "FINISH_ITEMS", "OWN_FINISH", "PACKAGE", "Viewing", "attach", "copy_viewing", "detach",
+           "finish_property", "preferences", "preset_property", "realisation_property", "search_presets", "viewing_of"]
 
 PACKAGE = __package__.rsplit(".", 2)[0]
 """Under this name Blender keeps the extension's preferences."""
-DEFAULTS = SimpleNamespace(realisation="usual", in_headers=True, in_menus=True, in_sidebar=False)
+OWN_FINISH = "NONE"
+"""In place of a finish: the preset's own surface."""
+FINISH_ITEMS = ((OWN_FINISH, "Preset's Own", "As smooth or rough as the preset says"),
+                *((finish.name, finish.title, finish.note) for finish in all_finishes()))
+DEFAULTS = SimpleNamespace(realisation="usual", finish=OWN_FINISH, in_headers=True, in_menus=True, in_sidebar=False)
 """Of the preferences, which scripts that import this package alone have not."""
 
 USUAL_ITEM = ("usual", "Usual", "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow")
@@ -64,6 +69,11 @@ def preset_property(default="copper", options=frozenset()):
         name="Preset", default=default, search=search_presets, search_options={"SUGGESTION"}, update=_drop_title,
         options=set(options),
         description="Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search")
+
+
+def finish_property():
+    """The choice of what was done to a surface."""
+    return bpy.props.EnumProperty(name="Finish", items=FINISH_ITEMS, description="What was done to the surface")
 
 
 def realisation_property(*, usual=True):

@@ -6,7 +6,9 @@ from typing import Any
 from ..catalogue.resolving import resolve
 from ..errors import FacetFilmError, choice
 from . import DEFAULT, named, names
+from .finishing import under_finish
 from .model import Renderer
+from .parameters import Colour
 from .realisations import realisation_named
 from .record import Record, Source
 
@@ -19,7 +21,7 @@ __all__ = ["USUAL", "exported", "made", "rebaked", "renewed", "switched"]
 
 
 def made(model: str | None = None, preset: Any = None, realisation: str = USUAL, renderer: Renderer = ANY_RENDERER,
-         viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
+         viewing: Mapping[str, Any] | None = None, finish: str = "", **parameters: Any) -> Record:
     """The Record of a preset or measurement, with some parameters of one's own.
 
     model        name of a model; by default the preset's
@@ -28,7 +30,8 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
                  default the preset's own, as "dispersive" of diamond, else "fast"
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
-    parameters   of the model, over the preset's own
+    finish       name of a finish, over the preset's own surface; "" for that
+    parameters   of the model, over the preset's own and the finish's
 
     Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
 
@@ -43,14 +46,16 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     if realisation == USUAL:
         realisation = _usual(chosen, resolved)
     realisation = choice("realisation", realisation_named(realisation), chosen.realisations)
+    finish, parameters = under_finish(finish, chosen, parameters)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
-        return _with_group(Record(chosen.name, realisation, "", 0, checked), chosen)
+        return _with_group(Record(chosen.name, realisation, "", 0, checked, finish=finish), chosen)
     _require_of(chosen, resolved)
     options = _viewing(chosen, resolved, renderer, viewing)
     baked = chosen.bake(resolved, options, realisation, renderer)
-    checked = chosen.parameters().changed(**baked.parameters).changed(**parameters)
-    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts)
+    typed = _typed_colours(chosen, resolved, options.get("space", renderer.space))
+    checked = chosen.parameters().changed(**{**baked.parameters, **typed}).changed(**parameters)
+    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts, finish)
     return _with_group(record, chosen, baked.variant)
 
 
@@ -66,7 +71,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER
     model = named(record.model)
     realisation = choice("realisation", realisation_named(realisation), model.realisations)
     if record.measured and model.as_baked(record.parameters, record.baked):
-        return rebaked(record.changed(realisation=realisation), renderer, only=("n", "k"))
+        return rebaked(record.changed(realisation=realisation), renderer, record.viewing, only=("n", "k"))
     _, variant = model.realisation_of(record.group)
     return _with_group(record.changed(realisation=realisation), model, variant)
 
@@ -75,7 +80,7 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
             only: tuple[str, ...] = ()) -> Record:
     """The Record whose measurement is baked again; what the bake does not give stays as the user set it.
 
-    viewing  options of :func:`addon.bake.bake`; by default those it was baked with
+    viewing  options of :func:`addon.bake.bake`; by default those it was baked with, in the renderer's space
     only     the parameters to take from the new bake; by default all that the model bakes
 
     Raises FacetFilmError for a record without a measurement.
@@ -84,12 +89,17 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
         raise FacetFilmError("{material} holds no measurement: bake a measured preset first.", material=record.title)
     model = named(record.model)
     resolved = resolve(record.source.meant())
-    options = _viewing(model, resolved, renderer, record.viewing if viewing is None else viewing)
+    options = _viewing(model, resolved, renderer, _same(record, renderer) if viewing is None else viewing)
     baked = model.bake(resolved, options, record.realisation, renderer)
     followed = [name for name, option in model.follows.items() if options[option] != record.viewing.get(option)]
     new = {name: baked.parameters[name] for name in only or (*model.baked_names, *followed)}
     found = record.changed(parameters=record.parameters.changed(**new), viewing=options, baked=baked.facts)
     return _with_group(found, model, baked.variant)
+
+
+def _same(record, renderer):
+    """The options that a record was baked with, in the renderer's space."""
+    return {**record.viewing, "space": renderer.space}
 
 
 def renewed(record: Record, renderer: Renderer = ANY_RENDERER) -> Record:
@@ -152,10 +162,20 @@ def _what_it_is_made_of(model, resolved, parameters):
     return resolved
 
 
+def _typed_colours(model, resolved, space):
+    """The colours that a preset states, which are linear Rec.709, in a space; without those that the bake works out."""
+    from ..bake.colour import converted
+    stated = {} if resolved.is_own else resolved.preset.parameters
+    return {row.name: converted(stated[row.name], "Rec.709", space) for row in model.parameters.TABLE
+            if isinstance(row, Colour) and row.name in stated and row.name not in model.baked_names}
+
+
 def _viewing(model, resolved, renderer, viewing):
-    """All options of a bake, the file's working space where none is named; {} where nothing is measured."""
+    """All options of a bake, the file's working space where none is named; of what is stated and not measured the space
+    alone, and {} where a model has none.
+    """
     if resolved.constants is None and not model.picture:
-        return {}
+        return {"space": renderer.space} if model.measured else {}
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})
     return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,

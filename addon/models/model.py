@@ -143,18 +143,23 @@ class Model:
     realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one
                   first}
     evaluate      function(parameters, n, v, l) -> the whole BRDF in 1/sr, ``(..., 3)``, of unit directions ``(..., 3)``
+                  and, where the surface has a direction of its own, a tangent, by default around the z axis
     facts         function(resolved preset, addon.bake.Bake) -> all that was baked, ready for JSON; for measurements
     bake          function(resolved preset, viewing options, realisation, Renderer) -> Baked
     look          function(parameters, place) -> Look; place is None, or x, y, z on a unit ball, ``(...)`` each
     as_baked      function(parameters, facts) -> whether what was baked is still what the material holds
     baked_names   the parameters that a new bake of the same measurement replaces; all others stay as the user set them
+    respaced      function(parameters, names that the user changed of what was baked, space, other space) ->
+                  {name: value} of them in the other scene-linear space; those that are colours may be left out
     follows       {parameter: option of a bake}: it is replaced, too, by a bake that has another value of the option
     feeds         function(parameters) -> Feeds that stand before its node
     read_feed     function({group's id: ({socket: value}, outputs that are linked)}) -> {parameter's name: value}
     forms         {name: Form} that :func:`write_form` knows
     write_form    function(form, Record) -> text
     swatch        function(Record, columns) -> Swatch, or None where its colours depend on nothing that a strip shows
-    principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
+    fits          {name of what F is: "module.Class" of the addon.models.fitted.Form that measurements are fitted in}
+    standin       function(Record in linear Rec.709 by the exact formula) -> addon.export.standin.Standin, the shader of
+                  base colour and metalness that comes closest; None where a look has to do
     measured      whether a measurement that is no preset can become a material of it
     refracts     whether light passes through its materials, which EEVEE has to be told
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
@@ -174,13 +179,15 @@ class Model:
     facts: Callable | None = None
     as_baked: Callable = lambda parameters, facts: False
     baked_names: tuple[str, ...] = ()
+    respaced: Callable = lambda parameters, changed, before, after: {}
     follows: Mapping[str, str] = dataclasses.field(default_factory=dict)
     feeds: Callable = lambda parameters: ()
     read_feed: Callable = lambda fed: {}
     forms: Mapping[str, Form] = dataclasses.field(default_factory=dict)
     write_form: Callable | None = None
     swatch: Callable | None = None
-    principled: Callable | None = None
+    fits: Mapping[str, str] = dataclasses.field(default_factory=dict)
+    standin: Callable | None = None
     measured: bool = False
     refracts: bool = False
     made_of: str = ""

@@ -8,16 +8,18 @@ __all__ = ["NAMES", "REALISATIONS", "Realisation", "realisation_named"]
 class Realisation(NamedTuple):
     """A way from a formula to a Cycles material.
 
-    title   what people call it
-    tip     one sentence on when to take it
-    native  whether the renderer's own closures draw it, with its own Fresnel term
-    osl     whether it is a script, which needs Open Shading Language
+    title        what people call it
+    tip          one sentence on when to take it
+    native       whether the renderer's own closures draw it, with its own Fresnel term
+    osl          whether it is a script, which needs Open Shading Language
+    without_osl  name of the realisation that a script's material shows where Open Shading Language is off
     """
 
     title: str
     tip: str
     native: bool = False
     osl: bool = False
+    without_osl: str = ""
 
 
 REALISATIONS = {
@@ -27,9 +29,10 @@ REALISATIONS = {
     "dispersive": Realisation("Dispersive", "Every wavelength refracted by its own index, for rainbows in gems and "
                                             "prisms; noisier, and EEVEE shows it without them", native=True),
     "osl": Realisation("OSL", "The published formula as an OSL script: needs Open Shading Language switched on in the "
-                              "Render properties, on the CPU or OptiX; EEVEE shows Standard", osl=True),
+                              "Render properties, on the CPU or OptiX; EEVEE shows Standard", osl=True,
+                       without_osl="exact"),
     "osl_fast": Realisation("OSL Standard", "Standard as an OSL script: needs Open Shading Language switched on",
-                            native=True, osl=True),
+                            native=True, osl=True, without_osl="fast"),
 }
 """Every realisation that a model may have, by its name."""
 NAMES = {"standard": "fast", "reference": "exact", "osl_standard": "osl_fast"}

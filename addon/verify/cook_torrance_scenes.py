@@ -175,7 +175,7 @@ def add_sky(scene):
     """The picture as the scene's environment, its pixels with sharp edges."""
     height, width = SKY_RADIANCE.shape[:2]
     image = bpy.data.images.new("Sky", width, height, float_buffer=True)
-    image.colorspace_settings.name = "Non-Color"
+    image.colorspace_settings.is_data = True
     image.pixels.foreach_set(
         np.concatenate([SKY_RADIANCE, np.ones((height, width, 1))], axis=2).astype(np.float32).ravel())
     image.pack()

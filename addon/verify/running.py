@@ -10,10 +10,10 @@ import time
 from .. import models
 from ..errors import FacetFilmError, choice
 from ..models.realisations import REALISATIONS
+from .devices import DEVICES, switched_on
 
 __all__ = ["checks", "groups", "verify", "DEVICES", "REPORT"]
 
-DEVICES = ("CPU", "GPU")
 REPORT = "facet_film_verification.html"
 DATA = "data"
 
@@ -53,7 +53,8 @@ def verify(path=REPORT, *, device="CPU", only=None, record=None, say=print):
     """Run the checks, write the report, and return (whether all passed, its first line).
 
     path    of the HTML file
-    device  "CPU", or "GPU" for those that Blender's preferences switch on
+    device  one of DEVICES: "CPU"; "GPU" for those that Blender's preferences switch on; or "CUDA", "OPTIX", "HIP",
+            "METAL", "ONEAPI", which are switched on meanwhile
     only    one of groups(), or None for all
     record  path of the same as JSON, or None
     say     function that is told each line of progress
@@ -66,21 +67,30 @@ def verify(path=REPORT, *, device="CPU", only=None, record=None, say=print):
     todo, left_out = checks(only)
     from ..export import write_text
     from . import data_checks, report, scenes
-    facts = _facts(device)
-    # A path that cannot be written is known before minutes pass, and a run that is cut short is not green.
-    write_text(path, report.unfinished(facts))
-    scenes.render_on(device)
+    with switched_on(device) as (cycles_device, device_name):
+        facts = _facts(device_name)
+        # A path that cannot be written is known before minutes pass, and a run that is cut short is not green.
+        write_text(path, report.unfinished(facts))
+        scenes.render_on(cycles_device)
+        with _quiet():
+            scenes.require_readable()
+        results = _results(todo, say)
+    written = write_text(path, report.page(results, facts, data_checks.table_of_presets(), left_out))
+    if record is not None:
+        write_text(record, _record(results, facts, left_out))
+    line = report.verdict(results, facts)
+    return line.startswith("Green"), f"{line}\n{written}"
+
+
+def _results(todo, say):
+    """(check, Outcome or an error's text, seconds) of each, in turn."""
     results = []
     for number, check in enumerate(todo, 1):
         outcome, seconds = _run(check)
         results.append((check, outcome, seconds))
         passed = "passed" if not isinstance(outcome, str) and outcome.passed else "FAILED"
         say(f"{number}/{len(todo)} {passed}: {check.title} ({seconds:.1f} s)")
-    written = write_text(path, report.page(results, facts, data_checks.table_of_presets(), left_out))
-    if record is not None:
-        write_text(record, _record(results, facts, left_out))
-    line = report.verdict(results, facts)
-    return line.startswith("Green"), f"{line}\n{written}"
+    return results
 
 
 def _run(check):
@@ -109,11 +119,11 @@ class _quiet:
         os.close(self._kept)
 
 
-def _facts(device):
+def _facts(device_name):
     """What decides the results, as (name, value) pairs."""
     import bpy
     import numpy
-    return (("Blender", bpy.app.version_string), ("Device", _device_name(device)),
+    return (("Blender", bpy.app.version_string), ("Device", device_name),
             ("Facet & Film", _version()), ("Build", bpy.app.build_hash.decode()),
             ("Python", platform.python_version()), ("numpy", numpy.__version__),
             ("System", f"{platform.system()} {platform.machine()}"),
@@ -125,18 +135,6 @@ def _version():
     from pathlib import Path
     manifest = Path(__file__).parents[2] / "blender_manifest.toml"
     return tomllib.loads(manifest.read_text(encoding="utf-8"))["version"]
-
-
-def _device_name(device):
-    if device == "CPU":
-        return "CPU"
-    import bpy
-    preferences = bpy.context.preferences.addons["cycles"].preferences
-    used = [found.name for found in getattr(preferences, "devices", ())
-            if found.use and found.type == preferences.compute_device_type]
-    if preferences.compute_device_type == "NONE" or not used:
-        raise FacetFilmError("device GPU needs one switched on in Preferences, System, Cycles Render Devices.")
-    return f"{preferences.compute_device_type}: {', '.join(used)}"
 
 
 def _record(results, facts, left_out):

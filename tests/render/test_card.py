@@ -99,9 +99,10 @@ def test_menus_offer_the_pictures_and_the_search(cube):
 
 
 def test_new_materials_render_as_the_preferences_say(cube, monkeypatch):
-    monkeypatch.setattr(apply, "preferences", lambda: SimpleNamespace(realisation="exact"))
+    monkeypatch.setattr(apply, "preferences", lambda: SimpleNamespace(realisation="exact", finish="brushed"))
     bpy.ops.facet_film.apply(preset="gold")
-    assert api.record_of(cube.active_material).realisation == "exact"
+    record = api.record_of(cube.active_material)
+    assert (record.realisation, record.finish) == ("exact", "brushed")
 
 
 def test_the_preferences_are_drawn(cube):

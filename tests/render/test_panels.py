@@ -12,8 +12,8 @@ from addon.blender import settings as settings_module
 from addon.blender.datablocks import materials, menu
 from addon.blender.datablocks.groups import node_group
 from addon.blender.datablocks.locked import why_locked
+from addon.blender.missing import what_is_missing
 from addon.blender.operators.apply_to_node import takes_presets, write_preset
-from addon.blender.operators.realisation import what_is_missing
 from addon.blender.panels import picker
 from addon.catalogue.search import search as spectra_search
 from addon.errors import FacetFilmError

@@ -138,9 +138,9 @@ def eevee(scene):
 
 
 @pytest.mark.parametrize("realisation, arrange, sentence", [
-    ("osl", osl_off, "switch on Open Shading Language in the Render properties, or take Reference"),
-    ("osl_fast", osl_off, "switch on Open Shading Language in the Render properties, or take Reference"),
-    ("osl", osl_on_gpu, "OSL needs the CPU or OptiX: change the device, or take Reference"),
+    ("osl", osl_off, "Reference is shown in its place until you switch it on in the Render properties"),
+    ("osl_fast", osl_off, "Standard is shown in its place until you switch it on in the Render properties"),
+    ("osl", osl_on_gpu, "OSL needs the CPU or OptiX: Reference is shown in its place on this device"),
     ("fast", workbench, "choose Cycles in the Render properties"),
     ("exact", workbench, "choose Cycles in the Render properties"),
     ("exact", eevee, "This engine renders Standard in its place: for this realisation choose Cycles")])
@@ -169,7 +169,8 @@ class Standing:
 
     def __init__(self):
         self.reports = []
-        for name, value in vars(rebake_all_operator.FACET_FILM_OT_rebake_all).items():
+        held = {**vars(rebake_all_operator.OneByOne), **vars(rebake_all_operator.FACET_FILM_OT_rebake_all)}
+        for name, value in held.items():
             if callable(value) and not name.startswith("__"):
                 setattr(self, name, value.__get__(self))
 

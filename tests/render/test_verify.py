@@ -7,11 +7,13 @@ differs from its formula by a little.
 import json
 import math
 
+import numpy as np
 import pytest
 
 from addon import models
 from addon.cli import main
-from addon.verify import report, running
+from addon.errors import FacetFilmError
+from addon.verify import report, running, scenes
 from addon.verify.checks import Check, Figure, Outcome
 
 CHECKS, LEFT_OUT = running.checks()
@@ -54,6 +56,14 @@ BROKEN = {
     ("data", "colours of aluminium"): {"preset": "silver"},
     ("data", "colours of titanium"): {"preset": "chromium"},
 }
+
+
+def test_a_configuration_that_cannot_be_checked_is_said_in_a_sentence(monkeypatch):
+    monkeypatch.setattr(scenes, "TOLD", (0.25, 0.5, 0.8))  # as a configuration would bring it back
+    scenes.require_readable()
+    monkeypatch.setattr(scenes, "render", lambda _scene: np.full((2, 2, 3), 0.5))
+    with pytest.raises(FacetFilmError, match="do not come back .* use one that has a role for data"):
+        scenes.require_readable()
 
 
 def broken(check):
@@ -128,6 +138,7 @@ def test_nothing_checked_is_not_green():
 
 @pytest.mark.parametrize("words, sentence", [
     (["--device", "GPU"], "device GPU needs one"), (["--device", "TPU"], "device 'TPU' is unknown"),
+    (["--device", "CUDA"], "device CUDA: Blender finds none"),
     (["--only", "layerd_rgb"], "did you mean 'layered_rgb'"), (["-o", "nowhere/report.html"], "does not exist")])
 def test_what_cannot_be_verified_is_said(words, sentence, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -1,17 +1,20 @@
 """Materials of ours that are appended or dragged in.
 
 Each brings its own copy of its group, which becomes one with the file's, and the name that its asset is found by, which
-becomes its title.  And two things are baked again: n and k for another Blender's conductor Fresnel (4.5 evaluates
-another than 5.0 and later; the asset library holds one set of numbers), and a material whose colours are an image of
-its own, for which the library holds a stand-in.
+becomes its title.  And three things are baked again: n and k for another Blender's conductor Fresnel (4.5 evaluates
+another than 5.0 and later; the asset library holds one set of numbers), what is for another working space than the
+file's, and a material whose colours are an image of its own, for which the library holds a stand-in.
 """
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 
+from ...errors import FacetFilmError
 from .. import compat
-from ..datablocks.groups import merge_groups
+from ..datablocks.groups import is_bringing, merge_groups
 from ..datablocks.locked import is_editable
 from ..datablocks.materials import baked_of, our_node, record_of, write
+from ..datablocks.spaces import bring, is_foreign
 from .names import title_of
 
 __all__ = ["STAND_IN_KEY", "attach", "detach", "renew"]
@@ -22,6 +25,8 @@ STAND_IN_KEY = "facet_film_stand_in"
 
 @bpy.app.handlers.persistent
 def _after_import(imported, *_):
+    if is_bringing():
+        return
     arrived = [item.id for item in imported.import_items if item.id is not None]
     materials = [one for one in arrived if isinstance(one, bpy.types.Material) and _is_ours(one)]
     trees = [one for one in arrived if isinstance(one, bpy.types.NodeTree)]
@@ -35,7 +40,9 @@ def _is_ours(material):
 
 
 def renew(material):
-    """Name a material as what it is, and bake it again where what it holds is for another Blender or another's."""
+    """Name a material as what it is, and bake it again where what it holds is for another Blender, another working
+    space, or another's.
+    """
     from ...models.making import made, renewed
     baked = baked_of(material)
     if material.name != title_of(material.name) and title_of(material.name) == baked.get("title"):
@@ -43,8 +50,18 @@ def renew(material):
     if STAND_IN_KEY in material:
         del material[STAND_IN_KEY]
         write(material, made(preset=baked["name"], renderer=compat.renderer()))
+    elif is_foreign(material):
+        _bring(material)
     elif baked.get("conductor", {}).get("formula", compat.conductor_formula()) != compat.conductor_formula():
         write(material, renewed(record_of(material), compat.renderer()))
+
+
+def _bring(material):
+    """Bring a material into the file's space; one whose measurement is not to be had stays, and the panel says so."""
+    try:
+        bring(material)
+    except FacetFilmError as error:
+        print(error.said(rpt_))
 
 
 def attach():

@@ -4,10 +4,17 @@ They do not change with the Blender that reads the group, so that a group is kno
 """
 
 import hashlib
+import struct
 
 from .. import compat
 
 __all__ = ["fingerprint", "fingerprint_0_1_0"]
+
+
+def _single(*numbers):
+    """Numbers in single precision, as sockets hold them."""
+    return struct.unpack(f"{len(numbers)}f", struct.pack(f"{len(numbers)}f", *numbers))
+
 
 SETTINGS = {
     "ShaderNodeMath": ("operation", "use_clamp"), "ShaderNodeVectorMath": ("operation",),
@@ -18,6 +25,8 @@ SETTINGS = {
     "ShaderNodeBump": ("invert",), "ShaderNodeMixShader": (), "ShaderNodeAddShader": (), "ShaderNodeBsdfDiffuse": (),
     "ShaderNodeSeparateXYZ": (), "ShaderNodeCombineXYZ": (), "ShaderNodeNewGeometry": (), "ShaderNodeTexCoord": (),
     "ShaderNodeBsdfGlass": ("distribution",), "ShaderNodeBsdfRefraction": ("distribution",),
+    "ShaderNodeTexVoronoi": ("voronoi_dimensions", "feature", "distance", "normalize"),
+    "ShaderNodeAmbientOcclusion": ("samples", "inside", "only_local"),
     "ShaderNodeLightPath": (), "ShaderNodeFloatCurve": (),
     "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
     "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
@@ -25,8 +34,19 @@ SETTINGS = {
 }
 """Settings of nodes that decide what they compute, by type of node; a test says which a group of ours lacks here."""
 
+IDLE = {
+    "PHYSICAL_CONDUCTOR": {"Base Color": (0.617, 0.577, 0.540, 1.0), "Edge Tint": (0.695, 0.726, 0.770, 1.0)},
+    "F82": {"IOR": _single(2.757, 2.513, 2.231), "Extinction": _single(3.867, 3.404, 3.009)},
+}
+"""What the sockets of a Metallic BSDF stand at that do nothing with its kind of Fresnel: Blender converts them where a
+file's space changes.
+"""
+
 OF_SOCKETS = ("socket_type", "default_value", "min_value", "max_value", "subtype", "hide_value", "identifier")
 """What counts of a socket of the interface; its tooltip does not."""
+
+SETTLED = 1e-5
+"""How far a colour's channel may be off three digits and still be them."""
 
 ID_KEY = "facet_film_id"
 
@@ -56,7 +76,9 @@ def _of_node(node):
         facts.append(hashlib.sha256(node.script.as_string().encode()).hexdigest())
     if kind == "ShaderNodeFloatCurve":
         facts.append([tuple(round(x, 5) for x in point.location) for point in node.mapping.curves[0].points])
-    facts += [(socket.identifier, _shown(socket.default_value)) for socket in _valued(node)]
+    idle = IDLE.get(getattr(node, "fresnel_type", ""), {})
+    facts += [(socket.identifier, _shown(idle.get(socket.identifier, socket.default_value)))
+              for socket in _valued(node)]
     return facts
 
 
@@ -67,7 +89,15 @@ def _valued(node):
 
 
 def _shown(value):
-    return tuple(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
+    if not hasattr(value, "__len__") or isinstance(value, str):
+        return value
+    return tuple(map(_settled, value)) if len(value) == 4 else tuple(value)
+
+
+def _settled(x):
+    """A colour's channel without what is left of a conversion between working spaces: greys stay grey but for that."""
+    near, = _single(round(x, 3))
+    return near if abs(x - near) < SETTLED else x
 
 
 def _of_link(link):

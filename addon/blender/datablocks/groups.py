@@ -5,13 +5,15 @@ from pathlib import Path
 
 import bpy
 
-from ... import models
+from ... import finishes, models
+from ...models.realisations import REALISATIONS
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .locked import is_editable
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
-           "input_names", "library_file", "mark", "merge_groups", "model_of_group", "node_group", "socket_named"]
+           "input_names", "is_bringing", "library_file", "mark", "merge_groups", "model_of_group", "node_group",
+           "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
 """The groups as tools/build_groups.py built them, a file for each: appending one takes milliseconds, building one
@@ -23,10 +25,19 @@ FINGERPRINT_KEY = "facet_film_fingerprint_2"
 FINGERPRINT_KEY_0_1_0 = "facet_film_fingerprint"
 
 
+_bringing = []
+
+
+def is_bringing():
+    """Whether a group is being brought in from our own library, and nobody has appended anything."""
+    return bool(_bringing)
+
+
 @functools.lru_cache(maxsize=1)
 def _owners():
-    """{group's id: (Model, Group)} of all models."""
-    return {group.identifier: (model, group) for model in models.all_models() for group in model.groups}
+    """{group's id: (Model, Group)} of all models, and of the finishes, which belong to no Model."""
+    found = {group.identifier: (model, group) for model in models.all_models() for group in model.groups}
+    return {**found, **{group.identifier: (None, group) for group in finishes.GROUPS}}
 
 
 def forget():
@@ -35,7 +46,7 @@ def forget():
 
 
 def all_groups():
-    """Every Group of every model."""
+    """Every Group of every model, and those of the finishes."""
     return [group for _, group in _owners().values()]
 
 
@@ -45,7 +56,7 @@ def group_of(identifier):
 
 
 def model_of_group(identifier):
-    """The Model that a group's id belongs to, or None."""
+    """The Model that a group's id belongs to, or None; the groups of finishes belong to none."""
     return _owners()[identifier][0] if identifier in _owners() else None
 
 
@@ -67,6 +78,8 @@ def node_group(identifier, image=None):
         return _merged(same, group, image)
     tree = _from_library(group) or build_group(identifier)
     if FINGERPRINT_KEY not in tree:
+        if group.osl:
+            _show_without_osl(tree, node_group(_without_osl(model, group), image))
         if group.stand_in:
             _add_eevee_output(tree, node_group(group.stand_in, image))
         mark(tree, group)
@@ -119,7 +132,10 @@ def build_group(identifier):
     from ...nodes.builder import GroupBuilder
     model, group = _owners()[identifier]
     builder = GroupBuilder(group.name)
-    model.build(identifier, builder)
+    if model is None:
+        finishes.build(group, builder)
+    else:
+        model.build(identifier, builder)
     return builder.finish()
 
 
@@ -134,8 +150,12 @@ def _from_library(group):
     if not file.exists():
         return None
     before = set(bpy.data.libraries)
-    with bpy.data.libraries.load(str(file), link=False) as (_, target):
-        target.node_groups = [group.name]
+    _bringing.append(group)
+    try:
+        with bpy.data.libraries.load(str(file), link=False) as (_, target):
+            target.node_groups = [group.name]
+    finally:
+        _bringing.pop()
     for library in set(bpy.data.libraries) - before:
         bpy.data.libraries.remove(library)  # appending leaves an entry from which nothing is linked
     return target.node_groups[0]
@@ -143,18 +163,51 @@ def _from_library(group):
 
 def _add_eevee_output(tree, fast):
     """Give the group a second shader, Fast with the same inputs, for an EEVEE material output."""
-    output = next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
-    inputs = tree.nodes.new("NodeGroupInput")
-    stand_in = tree.nodes.new("ShaderNodeGroup")
-    stand_in.node_tree = fast
-    stand_in.location = (output.location.x - 260, output.location.y - 300)
-    inputs.location = (stand_in.location.x - 260, stand_in.location.y)
-    for name in input_names(fast):
-        tree.links.new(_output_named(inputs, tree, name), socket_named(stand_in, name))
+    output = _output_of(tree)
+    stand_in = _nested(tree, fast, output.location.y - 300)
     item = tree.interface.new_socket(EEVEE_OUTPUT, description="The Fast realisation, for an EEVEE material output",
                                      in_out="OUTPUT", socket_type="NodeSocketShader")
     target = next(socket for socket in output.inputs if socket.identifier == item.identifier)
     tree.links.new(stand_in.outputs[0], target)
+
+
+def _show_without_osl(tree, other):
+    """Have a group show another one with the same inputs in place of its script, where no script runs.
+
+    There the script's output Runs does not exist, and what it is linked to keeps a value of its own: 0.
+    """
+    output = _output_of(tree)
+    script = next(node for node in tree.nodes if node.bl_idname == "ShaderNodeScript")
+    mix = tree.nodes.new("ShaderNodeMixShader")
+    mix.location = output.location
+    output.location.x += 200
+    fac, without, with_osl = mix.inputs
+    fac.default_value = 0.0
+    tree.links.new(script.outputs["Runs"], fac)
+    tree.links.new(_nested(tree, other, output.location.y - 600).outputs[0], without)
+    tree.links.new(script.outputs["BSDF"], with_osl)
+    tree.links.new(mix.outputs[0], output.inputs[0])
+
+
+def _without_osl(model, group):
+    """The id of the group that shows what the script of this one does."""
+    realisation, variant = model.realisation_of(group.identifier)
+    return model.group_of(REALISATIONS[realisation].without_osl, variant).identifier
+
+
+def _output_of(tree):
+    return next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
+
+
+def _nested(tree, group, height):
+    """A node of a group in another one, fed by its inputs of the same names."""
+    inputs, node = tree.nodes.new("NodeGroupInput"), tree.nodes.new("ShaderNodeGroup")
+    node.node_tree = group
+    node.location = (_output_of(tree).location.x - 260, height)
+    inputs.location = (node.location.x - 260, height)
+    for name in input_names(group):
+        tree.links.new(_output_named(inputs, tree, name), socket_named(node, name))
+    return node
 
 
 def group_id(tree):

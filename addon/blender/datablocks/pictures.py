@@ -24,7 +24,7 @@ def _new_image(picture, pixels, values, sockets):
     data = exr_bytes(pixels)
     rows, columns = pixels.shape[:2]
     image = bpy.data.images.new(picture.name, columns, rows, alpha=False, float_buffer=True, is_data=True)
-    image.colorspace_settings.name, image.alpha_mode = "Non-Color", "NONE"
+    image.colorspace_settings.is_data, image.alpha_mode = True, "NONE"  # whatever the configuration calls such data
     image.pack(data=data, data_len=len(data))
     image.source = "FILE"
     image[KEY], image[VALUES], image[SOCKETS] = picture.key, json.dumps(values), json.dumps(sockets)

@@ -8,8 +8,8 @@ from ...errors import FacetFilmError
 from ..assets.names import preset_of
 from ..assets.search_items import items
 from ..datablocks.materials import realisation_of
-from ..settings import preferences, preset_property, viewing_of
-from .realisation import IN_EVERY_ENGINE
+from ..missing import IN_EVERY_ENGINE
+from ..settings import OWN_FINISH, preferences, preset_property, viewing_of
 from .targets import TO, OnObjects, Put, put, put_in, put_said, why_not_on
 
 __all__ = ["CLASSES"]
@@ -38,22 +38,25 @@ class _OfAsset:
 def maker(context, preset):
     """A function of a material that may be made over, or None, that makes it the preset in the chosen light.
 
-    It renders by the Reference or OSL where the material did that it replaces, else as the preferences say, where the
-    preset's model can.
+    It renders by the Reference or OSL where the material did that it replaces, and has that one's finish; else both are
+    as the preferences say, where the preset's model can.
     """
     from ...api import create_material
     from ...catalogue.resolving import resolve
+    from ...finishes.feeding import takes
     from ...models import DEFAULT, named
     from ...models.making import USUAL
     resolved = resolve(preset)
-    can = named(resolved.preset.model or DEFAULT).realisations
+    model = named(resolved.preset.model or DEFAULT)
     viewing = viewing_of(context.window_manager.facet_film)
 
     def make(material):
         had = realisation_of(material)
         wanted = preferences().realisation if had is None or had in IN_EVERY_ENGINE else had
-        realisation = wanted if wanted in can else USUAL
-        return create_material(preset=resolved, realisation=realisation, material=material, viewing=viewing)
+        realisation = wanted if wanted in model.realisations else USUAL
+        finish = preferences().finish if had is None and takes(model) else OWN_FINISH
+        return create_material(preset=resolved, realisation=realisation, material=material, viewing=viewing,
+                               finish=None if finish == OWN_FINISH else finish)
     return make
 
 

@@ -1,4 +1,4 @@
-"""The operator that makes a linked material one of this file."""
+"""The operator that makes a linked material this file's own, so that it can be changed."""
 
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
@@ -13,7 +13,7 @@ __all__ = ["CLASSES"]
 
 
 class FACET_FILM_OT_make_local(bpy.types.Operator):
-    """Make this linked material one of this file, so that it can be changed; all objects that have it keep it"""
+    """Make this linked or overridden material the file's own: changes in its library no longer arrive"""
 
     bl_idname = "facet_film.make_local"
     bl_label = "Make Local"
@@ -21,45 +21,52 @@ class FACET_FILM_OT_make_local(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        """Needs a material that is linked."""
-        material = active_material(context)
-        if material is None or is_editable(material):
-            cls.poll_message_set(rpt_("This material belongs to this file already"))
+        """Needs a material of ours that is linked or overridden, in a slot that takes another."""
+        material, target = active_material(context), context.active_object
+        if material is None or our_node(material) is None or is_editable(material):
+            cls.poll_message_set(rpt_("This material is the file's own already"))
             return False
-        if context.object is not None and why_locked(context.object):
-            cls.poll_message_set(why_locked(context.object))
+        if target is not None and target.active_material == material and _why_not(target):
+            cls.poll_message_set(_why_not(target))
             return False
         return True
 
     def execute(self, context):
-        """Localise the material and the groups that only it needs."""
-        linked = active_material(context)
-        local = localised(linked)
-        merge_groups()
-        self.report({"INFO"}, rpt_("{:s} belongs to this file now").format(local.name))
+        """Make it local, and put it in the slots where the linked one was."""
+        material, target = active_material(context), context.active_object
+        local = localised(material)
+        if target is not None and target.active_material == material:
+            target.active_material = local
+        self.report({"INFO"}, rpt_("{:s} is the file's own now").format(local.name))
         return {"FINISHED"}
 
 
-def localised(linked):
-    """A material of this file in the place of a linked one, wherever that is used, with trees of its own."""
-    local = linked.make_local(clear_liboverride=True, clear_asset_data=True)
-    for tree in _trees_of(local.node_tree):
+def localised(material):
+    """A material of this file in the place of a linked or overridden one, with groups of this file."""
+    local = material.make_local(clear_liboverride=True) or material
+    for tree in _trees_in(local.node_tree):
         if tree.library is not None:
             tree.make_local()
-    if our_node(local) is not None:
-        renew(local)
+    renew(local)
+    merge_groups()
     return local
 
 
-def _trees_of(tree, seen=None):
-    """The groups in a tree and in those, the innermost last."""
-    seen = seen if seen is not None else []
-    for node in tree.nodes:
-        inner = getattr(node, "node_tree", None)
-        if inner is not None and inner not in seen:
-            seen.append(inner)
-            _trees_of(inner, seen)
-    return seen
+def _trees_in(tree, found=None):
+    """The groups in a tree and in those."""
+    found = [] if found is None else found
+    for inner in (getattr(node, "node_tree", None) for node in tree.nodes):
+        if inner is not None and inner not in found:
+            found.append(inner)
+            _trees_in(inner, found)
+    return found
+
+
+def _why_not(target):
+    """Why another material cannot be put in the active slot, or an empty text."""
+    held_by_data = target.active_material_index < len(target.material_slots) and (
+        target.material_slots[target.active_material_index].link == "DATA")
+    return why_locked(target) or (why_locked(target.data) if held_by_data else "")
 
 
 CLASSES = (FACET_FILM_OT_make_local,)

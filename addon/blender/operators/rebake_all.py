@@ -9,26 +9,16 @@ from ..datablocks.locked import is_editable
 from ..datablocks.materials import is_measured, our_node, record_of, write
 from ..settings import viewing_of
 
-__all__ = ["CLASSES"]
+__all__ = ["CLASSES", "OneByOne"]
 
 EVERY_S = 0.01
 
 
-class FACET_FILM_OT_rebake_all(bpy.types.Operator):
-    """Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, \
-and then nothing is changed"""
+class OneByOne:
+    """For operators that bake many materials: step by step with the status bar, and all at once for scripts.
 
-    bl_idname = "facet_film.rebake_all"
-    bl_label = "Re-bake All Materials"
-    bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, _context):
-        """Needs a measured material in this file."""
-        if not any(True for _ in measured_materials()):
-            cls.poll_message_set(rpt_("This file has no material with a measurement: bake a preset first"))
-            return False
-        return True
+    They say which by `waiting(context)`, and give the Record of each by `baked(material)`.
+    """
 
     def execute(self, context):
         """All at once, for scripts."""
@@ -68,15 +58,13 @@ and then nothing is changed"""
         self._end(context)
 
     def _begin(self, context):
-        self._viewing = viewing_of(context.window_manager.facet_film)
-        self._waiting = list(measured_materials())
+        self._waiting = list(self.waiting(context))
         self._baked = []
 
     def _bake_next(self):
-        from ...models.making import rebaked  # which loads numpy, and enabling does not wait for that
         material = self._waiting.pop(0)
         try:
-            self._baked.append((material, rebaked(record_of(material), compat.renderer(), self._viewing)))
+            self._baked.append((material, self.baked(material)))
         except FacetFilmError as error:
             self.report({"WARNING"}, error.said(rpt_))
 
@@ -90,6 +78,33 @@ and then nothing is changed"""
         context.window_manager.event_timer_remove(self._timer)
         context.window_manager.progress_end()
         context.workspace.status_text_set(None)
+
+
+class FACET_FILM_OT_rebake_all(OneByOne, bpy.types.Operator):
+    """Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, \
+and then nothing is changed"""
+
+    bl_idname = "facet_film.rebake_all"
+    bl_label = "Re-bake All Materials"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, _context):
+        """Needs a measured material in this file."""
+        if not any(True for _ in measured_materials()):
+            cls.poll_message_set(rpt_("This file has no material with a measurement: bake a preset first"))
+            return False
+        return True
+
+    def waiting(self, context):
+        """All that hold a measurement."""
+        self._viewing = viewing_of(context.window_manager.facet_film)
+        return measured_materials()
+
+    def baked(self, material):
+        """The record in the chosen light."""
+        from ...models.making import rebaked  # which loads numpy, and enabling does not wait for that
+        return rebaked(record_of(material), compat.renderer(), self._viewing)
 
 
 def measured_materials():

@@ -51,7 +51,9 @@ def _tuples(value):
 def material_of(text, material=None):
     """The material of a preset file, made over an existing one where that is given."""
     from ...models.making import renewed
-    return create(renewed(preset_from(text), compat.renderer()), material=material)
+    from ...models.moving import moved
+    renderer = compat.renderer()
+    return create(moved(renewed(preset_from(text), renderer), renderer), material=material)
 
 
 class FACET_FILM_PT_presets(PresetPanel, bpy.types.Panel):

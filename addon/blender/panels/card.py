@@ -6,8 +6,11 @@ import bpy
 
 from ..assets import library
 from ..datablocks.locked import is_editable
+from ..datablocks.materials import finish_node, model_of, our_node
+from ..operators.finish import shown_finish
 from ..operators.targets import active_material
 from . import load_ahead
+from .drawing import described, draw_socket
 from .shelves import PICKER
 
 __all__ = ["attach", "detach", "draw_card", "takes_materials"]
@@ -15,6 +18,7 @@ __all__ = ["attach", "detach", "draw_card", "takes_materials"]
 SLOT_PANELS = ("EEVEE_MATERIAL_PT_context_material", "CYCLES_PT_context_material")
 """Where Blender lists the material slots, by engine; EEVEE's serves Workbench too. They come first of all."""
 PICTURE_UNITS = 6.0
+FACE = ("Roughness", "Tint")
 
 
 def draw_card(layout, context):
@@ -34,6 +38,25 @@ def draw_card(layout, context):
         column.operator("facet_film.make_local", icon="LIBRARY_DATA_DIRECT")
     if not shown:
         layout.operator("facet_film.choose", text="Choose a Material", icon="MATERIAL")
+    if material is not None and is_editable(material):
+        _draw_face(layout.column(align=True), material)
+
+
+def _draw_face(column, material):
+    """What one turns first, of a material of ours: its finish, and what the table calls Roughness and Tint."""
+    from ...finishes.feeding import takes
+    node, model = our_node(material), model_of(material)
+    if node is None:
+        return
+    if takes(model):
+        column.operator_menu_enum("facet_film.apply_finish", "finish", text=shown_finish(material), translate=False)
+    known = described(node.node_tree)
+    marks = finish_node(material)
+    varied = {socket.name: socket for socket in marks.inputs} if marks is not None else {}
+    for socket in node.inputs:
+        if socket.name in FACE and socket.name in known:
+            turned = varied.get(socket.name, socket)
+            draw_socket(column, marks if turned is not socket else node, turned, known[socket.name])
 
 
 def _draw_picture(column, material, opens):

@@ -6,7 +6,8 @@ from bpy.app.translations import pgettext_iface as iface_
 from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import our_node, realisation_of
-from ..operators.realisation import shown_name, what_is_missing
+from ..datablocks.spaces import said_of_space
+from ..missing import shown_name, what_is_missing
 from ..operators.user_presets import draw_header
 from .card import takes_materials
 from .drawing import draw_parameters, draw_sentence
@@ -48,10 +49,12 @@ def draw_state(layout, context, material):
     """How a material of ours renders and what it lacks for that, or why it cannot be changed."""
     if material is not None and why_locked(material):
         draw_sentence(layout, why_locked(material), "LIBRARY_DATA_DIRECT", context.region)
-        layout.operator("facet_film.make_local", icon="LIBRARY_DATA_DIRECT")
+        if our_node(material) is not None:
+            layout.operator("facet_film.make_local", icon="LIBRARY_DATA_OVERRIDE_NONEDITABLE")
     realisation = realisation_of(material)
     if realisation is None:
         return
+    draw_space(layout, context, material)
     missing = what_is_missing(context.scene, realisation)
     if missing:
         draw_sentence(layout, missing, "ERROR", context.region)
@@ -59,6 +62,14 @@ def draw_state(layout, context, material):
             layout.prop(context.scene.cycles, "shading_system")
     layout.operator_menu_enum("facet_film.switch_realisation", "realisation",
                               text=iface_("Renders by {:s}").format(shown_name(realisation)))
+
+
+def draw_space(layout, context, material):
+    """That a material is for another working space than the file's, and the button for all such; else nothing."""
+    said = said_of_space(material)
+    if said:
+        draw_sentence(layout, said, "ERROR", context.region)
+        layout.operator("facet_film.match_space", icon="COLOR")
 
 
 class FACET_FILM_PT_parameters(MaterialPanel, bpy.types.Panel):

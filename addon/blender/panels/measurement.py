@@ -75,14 +75,16 @@ class FACET_FILM_PT_data(MaterialPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        """Import, paste, export, check, compare."""
+        """Import, paste, fit, export, check, compare."""
         settings = context.window_manager.facet_film
         column = self.layout.column(align=True)
         for name, icon in (("import", "FILEBROWSER"), ("paste", "PASTEDOWN")):
             operator = column.operator(f"facet_film.{name}_constants", icon=icon)
             operator.realisation = preferences().realisation
             copy_viewing(settings, operator)
+        column.operator("facet_film.fit_brdf", icon="SHADING_RENDERED").realisation = preferences().realisation
         column.menu("FACET_FILM_MT_export", icon="EXPORT")
+        column.operator("facet_film.principled_twin", icon="MATERIAL")
         column = self.layout.column(align=True)
         column.operator("facet_film.check", icon="CHECKMARK").against = settings.preset
         column.operator("facet_film.spread", icon="SORTSIZE").material = settings.preset
@@ -93,6 +95,8 @@ def draw_measurement(layout, record, region):
     layout.label(text=record["title"], icon="MATERIAL", translate=False)
     if "conductor" not in record:
         draw_sentence(layout, record["note"], "INFO", region)
+        if "fitted" in record:
+            draw_facts(layout, facts_of_fit(record["fitted"]), region)
         return
     _draw_colours(layout, record)
     draw_facts(layout, facts_of(record), region)
@@ -130,6 +134,18 @@ def facts_of(record):
         (n_("Dataset"), source["dataset"]),
         (n_("Citation"), source["citation"]),
         *outside, *assumed,
+    )
+
+
+def facts_of_fit(fitted):
+    """(name, value) of what a fit to a measured BRDF said of itself."""
+    difference, samples = fitted["delta_e_2000"], fitted["samples"]
+    return (
+        (n_("File"), fitted["file"]),
+        (n_("Fit"), iface_("CIEDE2000 {:.2f} on average, below {:.1f} in 95 %").format(
+            difference["mean"], difference["p95"])),
+        (n_("Verdict"), iface_(fitted["verdict"])),
+        (n_("Samples"), iface_("{:d} used, {:d} left out").format(samples["used"], samples["rejected"])),
     )
 
 

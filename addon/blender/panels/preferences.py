@@ -6,7 +6,7 @@ import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
 from ..assets import library
-from ..settings import DEFAULTS, PACKAGE, realisation_property
+from ..settings import DEFAULTS, PACKAGE, finish_property, realisation_property
 
 __all__ = ["CLASSES"]
 
@@ -19,6 +19,7 @@ class FacetFilmPreferences(bpy.types.AddonPreferences):
     bl_idname = PACKAGE
 
     realisation: realisation_property()
+    finish: finish_property()
     in_headers: bpy.props.BoolProperty(
         name="Headers", default=DEFAULTS.in_headers,
         description="A button in the headers of the 3D Viewport and of the Shader Editor")
@@ -36,7 +37,9 @@ class FacetFilmPreferences(bpy.types.AddonPreferences):
         column = layout.column(heading=iface_("Where to Find It"))
         for name in ("in_headers", "in_menus", "in_sidebar"):
             column.prop(self, name)
-        layout.prop(self, "realisation", text="New Materials")
+        column = layout.column(heading=iface_("New Materials"))
+        for name in ("realisation", "finish"):
+            column.prop(self, name)
         self._draw_library(layout.column())
         layout.operator("wm.path_open", text="Read the Documents", icon="HELP").filepath = str(README)
         self._draw_verification(layout.column())
