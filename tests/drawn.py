@@ -26,7 +26,7 @@ class Layout:
         """A part of this layout."""
         return Layout(self)
 
-    column = box = split = row
+    column = box = split = grid_flow = row
 
     def panel(self, _name, default_closed=False):
         """(head, body) of a part that opens and closes; Blender gives no body of one that is closed."""

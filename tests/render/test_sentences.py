@@ -12,7 +12,6 @@ from addon.blender.datablocks import materials
 from addon.blender.operators import rebake_all as rebake_all_operator
 from addon.blender.panels.material import FACET_FILM_PT_material, FACET_FILM_PT_parameters
 from addon.blender.panels.measurement import FACET_FILM_PT_measurement
-from addon.models.realisations import REALISATIONS
 from tests.drawn import drawn, properties_editor
 
 
@@ -159,7 +158,7 @@ def test_the_panel_says_what_the_scene_lacks(ball, realisation, arrange, sentenc
 def test_the_panel_says_nothing_where_nothing_is_lacking(ball, realisation, arrange):
     ball.active_material = api.create_material(preset="copper", realisation=realisation)
     arrange(bpy.context.scene)
-    assert said_by_panel()[0] == f"Renders by {REALISATIONS[realisation].title}"
+    assert said_by_panel()[0] == "Renders by Standard Reference OSL OSL Standard"
 
 
 # --- What takes longer: Re-bake All, step by step ---

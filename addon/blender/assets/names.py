@@ -8,7 +8,10 @@ import functools
 
 __all__ = ["asset_name", "forget", "preset_of", "title_of"]
 
-BETWEEN = " · "
+BEGIN, BETWEEN, END = " (", ", ", ")"
+"""Around and between the other names; the bracket comes before letters where Blender sorts, so that aluminium stands
+before its compounds.
+"""
 MOST_BYTES = 63
 """Of a datablock's name in Blender 4.5."""
 
@@ -20,25 +23,24 @@ def asset_name(entry):
 
     >>> from addon.catalogue.entries import entries
     >>> asset_name(entries()["aluminium"])
-    'Aluminium · Al · aluminum · 铝'
+    'Aluminium (Al, aluminum, 铝)'
     """
-    name = entry.title
+    others, room = [], MOST_BYTES - len(f"{entry.title}{BEGIN}{END}".encode())
     for other in entry.aliases:
-        longer = f"{name}{BETWEEN}{other}"
-        if other.casefold() not in name.casefold().split(BETWEEN) and len(longer.encode()) <= MOST_BYTES:
-            name = longer
-    return name
+        if other.casefold() != entry.title.casefold() and len(BETWEEN.join((*others, other)).encode()) <= room:
+            others.append(other)
+    return f"{entry.title}{BEGIN}{BETWEEN.join(others)}{END}" if others else entry.title
 
 
 def title_of(name):
     """The title that an asset's name begins with."""
-    return name.split(BETWEEN)[0]
+    return name.split(BEGIN)[0]
 
 
 def preset_of(name):
     """Name of the preset that an asset of this name is of, or None.
 
-    >>> preset_of("Aluminium · aluminum · Al"), preset_of("Suzanne")
+    >>> preset_of("Aluminium (Al, aluminum, 铝)"), preset_of("Suzanne")
     ('aluminium', None)
     """
     return _by_title().get(title_of(name))

@@ -2,10 +2,11 @@
 
 import functools
 
-from .names import BETWEEN
 from .thumbnails import preset_icon
 
 __all__ = ["forget", "items"]
+
+BETWEEN = " · "
 
 
 @functools.lru_cache(maxsize=1)

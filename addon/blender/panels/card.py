@@ -3,6 +3,7 @@ and wherever else one looks for a material.
 """
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 
 from ..assets import library
 from ..datablocks.locked import is_editable
@@ -17,7 +18,7 @@ __all__ = ["attach", "detach", "draw_card", "takes_materials"]
 
 SLOT_PANELS = ("EEVEE_MATERIAL_PT_context_material", "CYCLES_PT_context_material")
 """Where Blender lists the material slots, by engine; EEVEE's serves Workbench too. They come first of all."""
-PICTURE_UNITS = 6.0
+PICTURE_SHARE, PICTURE_SCALE = 0.56, 6.0
 FACE = ("Roughness", "Tint")
 
 
@@ -26,12 +27,10 @@ def draw_card(layout, context):
     load_ahead.when_idle()
     material = active_material(context)
     shown = library.is_shown()
-    row = layout.row()
-    row.use_property_split = False
-    picture = row.column()
-    picture.ui_units_x = PICTURE_UNITS
-    _draw_picture(picture, material, shown)
-    column = row.column()
+    split = layout.split(factor=PICTURE_SHARE)
+    split.use_property_split = False
+    _draw_picture(split.column(), material, shown)
+    column = split.column()
     column.operator("facet_film.search", text="Search", icon="VIEWZOOM")
     column.operator("facet_film.shelf", text="Shelf", icon="ASSET_MANAGER")
     if material is not None and not is_editable(material):
@@ -49,7 +48,8 @@ def _draw_face(column, material):
     if node is None:
         return
     if takes(model):
-        column.operator_menu_enum("facet_film.apply_finish", "finish", text=shown_finish(material), translate=False)
+        shown = iface_("Finish: {:s}").format(shown_finish(material))
+        column.operator_menu_enum("facet_film.apply_finish", "finish", text=shown, translate=False)
     known = described(node.node_tree)
     marks = finish_node(material)
     varied = {socket.name: socket for socket in marks.inputs} if marks is not None else {}
@@ -66,7 +66,7 @@ def _draw_picture(column, material, opens):
         drawn = {"icon_value": icon} if icon else {"icon": "MATERIAL"}
         column.template_asset_shelf_popover(PICKER, name=" ", **drawn)
     elif icon:
-        column.template_icon(icon, scale=PICTURE_UNITS)
+        column.template_icon(icon, scale=PICTURE_SCALE)
 
 
 def takes_materials(target):

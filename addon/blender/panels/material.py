@@ -1,11 +1,10 @@
 """The Facet & Film panel in the Material properties: how the material renders, and its parameters."""
 
 import bpy
-from bpy.app.translations import pgettext_iface as iface_
 
 from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
-from ..datablocks.materials import our_node, realisation_of
+from ..datablocks.materials import model_of, our_node, realisation_of
 from ..datablocks.spaces import said_of_space
 from ..missing import shown_name, what_is_missing
 from ..operators.user_presets import draw_header
@@ -60,8 +59,18 @@ def draw_state(layout, context, material):
         draw_sentence(layout, missing, "ERROR", context.region)
         if REALISATIONS[realisation].osl and context.scene.render.engine == "CYCLES":
             layout.prop(context.scene.cycles, "shading_system")
-    layout.operator_menu_enum("facet_film.switch_realisation", "realisation",
-                              text=iface_("Renders by {:s}").format(shown_name(realisation)))
+    _draw_realisations(layout, model_of(material), realisation)
+
+
+def _draw_realisations(layout, model, current):
+    """A button for each way in which the model can render, the current one pressed."""
+    column = layout.column(align=True)
+    column.label(text="Renders by")
+    grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
+    for name in model.realisations:
+        button = grid.operator("facet_film.switch_realisation", text=shown_name(name), depress=name == current,
+                               translate=False)
+        button.realisation = name
 
 
 def draw_space(layout, context, material):

@@ -3,6 +3,7 @@
 import bpy
 
 from ..datablocks.menu import parts
+from .menus import draw_in_menu
 
 __all__ = ["CLASSES", "attach", "detach"]
 
@@ -16,10 +17,6 @@ class FACET_FILM_MT_add(bpy.types.Menu):
     def draw(self, context):
         """An entry a group; the ramp is of the preset chosen in the panel."""
         layout = self.layout
-        layout.operator_context = "INVOKE_DEFAULT"
-        layout.operator("facet_film.choose", icon="MATERIAL")
-        layout.operator("facet_film.search", icon="VIEWZOOM")
-        layout.separator()
         layout.operator_context = "INVOKE_REGION_WIN"
         settings = context.window_manager.facet_film
         for number, part in enumerate(parts()):
@@ -29,6 +26,7 @@ class FACET_FILM_MT_add(bpy.types.Menu):
                 operator = layout.operator("facet_film.add_group", text=name)
                 operator.group = identifier
                 operator.preset = settings.preset
+        draw_in_menu(self, context)
 
 
 def draw_entry(self, context):

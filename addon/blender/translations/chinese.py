@@ -332,6 +332,8 @@ TEXTS = {
         "指纹和擦痕，用于粗糙度",
     "Finish":
         "表面处理",
+    "Finish: {:s}":
+        "表面处理：{:s}",
     "First Thickness":
         "起始厚度",
     "Fit":
@@ -571,8 +573,8 @@ TEXTS = {
         "在另一个 Blender 中渲染所有模型与实现方式，将像素与已发表的公式比较并打开报告。需一至五分钟；按 Esc 停止",
     "Render this material by another realisation; every value and link that you set stays":
         "以另一种实现方式渲染此材质；所有数值与连线保留",
-    "Renders by {:s}":
-        "渲染方式：{:s}",
+    "Renders by":
+        "渲染方式",
     "Rotation":
         "旋转",
     "Rough, 1982":

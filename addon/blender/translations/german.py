@@ -339,6 +339,8 @@ TEXTS = {
         "Fingerabdrücke und Wischspuren, für die Rauheit",
     "Finish":
         "Oberfläche",
+    "Finish: {:s}":
+        "Oberfläche: {:s}",
     "First Thickness":
         "Erste Dicke",
     "Fit":
@@ -584,8 +586,8 @@ TEXTS = {
         "Rendert jedes Modell und jede Umsetzung in einem zweiten Blender, vergleicht die Pixel mit den veröffentlichten Formeln und öffnet den Bericht. Dauert eine bis fünf Minuten; Esc bricht ab",
     "Render this material by another realisation; every value and link that you set stays":
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
-    "Renders by {:s}":
-        "Rendert mit: {:s}",
+    "Renders by":
+        "Rendert mit",
     "Rotation":
         "Drehung",
     "Rough, 1982":
