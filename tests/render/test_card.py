@@ -26,7 +26,7 @@ class Shelves(Layout):
         """A part of this layout."""
         return Shelves(self)
 
-    column = row
+    column = split = row
 
     def template_asset_shelf_popover(self, shelf, **_options):
         """Note the shelf."""
