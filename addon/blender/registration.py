@@ -5,6 +5,7 @@ import bpy
 from . import settings, translations
 from .assets import imported, library, thumbnails
 from .datablocks import groups, menu
+from .exporters import usd
 from .operators import (
     add_group,
     apply_to_node,
@@ -12,8 +13,12 @@ from .operators import (
     bake,
     check,
     export,
+    finish,
+    fit_brdf,
+    make_local,
     match_space,
     measurements,
+    principled,
     realisation,
     rebake_all,
     update,
@@ -21,16 +26,18 @@ from .operators import (
     verify,
 )
 from .panels import asset_library as asset_library_panel
+from .panels import finish as finish_panel
 from .panels import load_ahead, material, measurement, node_menu, node_sidebar, picker, preferences, versions
 
 __all__ = ["register", "unregister"]
 
-CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *measurements.CLASSES, *export.CLASSES,
-           *check.CLASSES, *rebake_all.CLASSES, *match_space.CLASSES, *user_presets.CLASSES, *update.CLASSES,
-           *asset_library.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES, *material.CLASSES,
+CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *measurements.CLASSES, *fit_brdf.CLASSES,
+           *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES, *make_local.CLASSES, *match_space.CLASSES,
+           *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *finish.CLASSES,
+           *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES, *material.CLASSES, *finish_panel.CLASSES,
            *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES, *asset_library_panel.CLASSES,
            *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
-ATTACHED = (translations, settings, material, node_menu, imported)
+ATTACHED = (translations, settings, material, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []
 

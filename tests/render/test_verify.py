@@ -7,11 +7,13 @@ differs from its formula by a little.
 import json
 import math
 
+import numpy as np
 import pytest
 
 from addon import models
 from addon.cli import main
-from addon.verify import report, running
+from addon.errors import FacetFilmError
+from addon.verify import report, running, scenes
 from addon.verify.checks import Check, Figure, Outcome
 
 CHECKS, LEFT_OUT = running.checks()
@@ -54,6 +56,14 @@ BROKEN = {
     ("data", "colours of aluminium"): {"preset": "silver"},
     ("data", "colours of titanium"): {"preset": "chromium"},
 }
+
+
+def test_a_configuration_that_cannot_be_checked_is_said_in_a_sentence(monkeypatch):
+    monkeypatch.setattr(scenes, "TOLD", (0.25, 0.5, 0.8))  # as a configuration would bring it back
+    scenes.require_readable()
+    monkeypatch.setattr(scenes, "render", lambda _scene: np.full((2, 2, 3), 0.5))
+    with pytest.raises(FacetFilmError, match="do not come back .* use one that has a role for data"):
+        scenes.require_readable()
 
 
 def broken(check):

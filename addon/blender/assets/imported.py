@@ -11,7 +11,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from .. import compat
 from ..datablocks.fingerprints import ID_KEY
-from ..datablocks.groups import VERSION_KEY, group_of, node_group
+from ..datablocks.groups import VERSION_KEY, group_of, is_bringing, node_group
 from ..datablocks.locked import is_editable
 from ..datablocks.materials import baked_of, our_node, record_of, write
 from ..datablocks.pictures import image_in
@@ -22,6 +22,8 @@ __all__ = ["attach", "detach"]
 
 @bpy.app.handlers.persistent
 def _after_import(imported, *_):
+    if is_bringing():
+        return
     arrived = [item.id for item in imported.import_items if item.id is not None]
     ours = [one for one in arrived if isinstance(one, bpy.types.Material) and is_editable(one)]
     strangers = [one for one in ours if is_foreign(one)]

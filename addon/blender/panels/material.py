@@ -64,6 +64,8 @@ def draw_state(layout, context, material):
     """How a material of ours renders and what it lacks for that, or why it cannot be changed."""
     if material is not None and why_locked(material):
         draw_sentence(layout, why_locked(material), "LIBRARY_DATA_DIRECT", context.region)
+        if our_node(material) is not None:
+            layout.operator("facet_film.make_local", icon="LIBRARY_DATA_OVERRIDE_NONEDITABLE")
     realisation = realisation_of(material)
     if realisation is None:
         return
@@ -144,14 +146,16 @@ class FACET_FILM_PT_data(MaterialPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        """Import, paste, export, check, compare."""
+        """Import, paste, fit, export, check, compare."""
         settings = context.window_manager.facet_film
         column = self.layout.column(align=True)
         for name, icon in (("import", "FILEBROWSER"), ("paste", "PASTEDOWN")):
             operator = column.operator(f"facet_film.{name}_constants", icon=icon)
             operator.realisation = settings.realisation
             copy_viewing(settings, operator)
+        column.operator("facet_film.fit_brdf", icon="SHADING_RENDERED").realisation = settings.realisation
         column.menu("FACET_FILM_MT_export", icon="EXPORT")
+        column.operator("facet_film.principled_twin", icon="MATERIAL")
         column = self.layout.column(align=True)
         column.operator("facet_film.check", icon="CHECKMARK").against = settings.preset
         column.operator("facet_film.spread", icon="SORTSIZE").material = settings.preset

@@ -34,6 +34,8 @@ def draw_measurement(layout, record, region):
     layout.label(text=record["title"], icon="MATERIAL", translate=False)
     if "conductor" not in record:
         draw_sentence(layout, record["note"], "INFO", region)
+        if "fitted" in record:
+            draw_facts(layout, facts_of_fit(record["fitted"]), region)
         return
     _draw_colours(layout, record)
     draw_facts(layout, facts_of(record), region)
@@ -71,6 +73,18 @@ def facts_of(record):
         (n_("Dataset"), source["dataset"]),
         (n_("Citation"), source["citation"]),
         *outside, *assumed,
+    )
+
+
+def facts_of_fit(fitted):
+    """(name, value) of what a fit to a measured BRDF said of itself."""
+    difference, samples = fitted["delta_e_2000"], fitted["samples"]
+    return (
+        (n_("File"), fitted["file"]),
+        (n_("Fit"), iface_("CIEDE2000 {:.2f} on average, below {:.1f} in 95 %").format(
+            difference["mean"], difference["p95"])),
+        (n_("Verdict"), iface_(fitted["verdict"])),
+        (n_("Samples"), iface_("{:d} used, {:d} left out").format(samples["used"], samples["rejected"])),
     )
 
 

@@ -36,9 +36,9 @@ def _swatch(record, columns):
     return swatch(record, columns)
 
 
-def _principled(record):
-    from .forms import principled
-    return principled(record)
+def _standin(record):
+    from .forms import standin
+    return standin(record)
 
 
 def _respaced(parameters, changed, before, after):
@@ -90,10 +90,11 @@ MODEL = Model(
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
         "spectrum_csv": Form("CSV of the Spectrum", "The measured points: wavelength_nm, n, k", ".csv"),
-        "materialx": Form("MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
+        "materialx": Form("MaterialX", "conductor_bsdf, generalized_schlick_bsdf and open_pbr_surface", ".mtlx"),
     },
     write_form=_write_form,
     swatch=_swatch,
-    principled=_principled,
+    fits={"f0": "fits.NormalReflectance", "n_k": "fits.IndexAndExtinction"},
+    standin=_standin,
     measured=True,
 )
