@@ -82,8 +82,7 @@ def thumbnail(name):
     >>> thumbnail("copper").name
     'copper.webp'
     """
-    file = THUMBNAILS / f"{name}.webp"
-    return file if file.exists() else file.with_suffix(".png")
+    return THUMBNAILS / f"{name}.webp"
 
 
 def forget():

@@ -63,7 +63,7 @@ def test_every_category_is_used_and_every_variant_is_of_a_material_beside_it():
 
 
 def test_no_material_is_counted_twice():
-    sources = [preset.dataset for preset in MIRRORS.values()
+    sources = [(preset.dataset, preset.parameters.get("anisotropy")) for preset in MIRRORS.values()
                if preset.dataset and preset.kind != "figure" and not preset.variant_of]
     assert len(sources) == len(set(sources))
 

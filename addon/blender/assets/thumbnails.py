@@ -10,7 +10,7 @@ _held = []
 def preset_icon(name):
     """Icon number of a preset or dataset; 0, no picture, for an unknown name and where Blender has no window.
 
-    A preset without a rendered picture gets a ball drawn by addon.blender.assets.pictures.
+    A preset without a rendered thumbnail gets a ball drawn by addon.blender.assets.pictures.
     """
     from ...catalogue.entries import thumbnail
     file = thumbnail(name)
