@@ -7,22 +7,24 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from . import models
+from . import finishes, models
 from .models.realisations import REALISATIONS
 
 if TYPE_CHECKING:
     import bpy
 
     from .bake import Bake
+    from .measured import Fit
     from .models.record import Record
 
-__all__ = ["MODELS", "REALISATIONS", "bake", "create_fresnel_ramp", "create_material", "export", "rebake", "record_of",
-           "switch_realisation"]
+__all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake", "create_fresnel_ramp", "create_material",
+           "export", "fit", "principled_twin", "rebake", "record_of", "switch_realisation"]
 
 MODELS = models.names()
+FINISHES = finishes.names()
 
 
 def bake(preset: Any, **options: Any) -> Bake:
@@ -43,20 +45,23 @@ def bake(preset: Any, **options: Any) -> Bake:
 
 def create_material(model: str | None = None, *, preset: Any = None, realisation: str = "usual",
                     name: str | None = None, material: bpy.types.Material | None = None,
-                    viewing: Mapping[str, Any] | None = None, **parameters: Any) -> bpy.types.Material:
+                    viewing: Mapping[str, Any] | None = None,
+                    finish: str | None = None, **parameters: Any) -> bpy.types.Material:
     """A Cycles material.
 
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
     preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters
                  alone
-    realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL),
-                 "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of the rainbow);
-                 by default the one that the preset is meant for, else "fast".  Where Open Shading Language is off,
-                 a material by OSL shows "exact" or "fast" instead, and a warning says so
+    realisation  "fast" or "standard" (native closures), "exact" or "reference" (the formula, nodes alone), "osl" (the
+                 formula, by OSL), "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of
+                 the rainbow); by default the one that the preset is meant for, else "fast".  Where Open Shading
+                 Language is off, a material by OSL shows "exact" or "fast" instead, and a warning says so
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
-    parameters   of the model, over the preset's own: see docs/parameters.md
+    finish       a name of FINISHES: see docs/finishes.md; "" for the preset's own surface; by default that of the
+                 material that is made over
+    parameters   of the model, over the preset's own and the finish's: see docs/parameters.md
 
     Returns the bpy.types.Material.  Raises FacetFilmError, before anything is
     made or changed, for an unknown name, a value out of range, a material that
@@ -64,21 +69,39 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     """
     from .blender import compat
     from .blender.datablocks import locked, materials
+    from .models.finishing import kept_finish
     from .models.making import made
     if material is not None:
         locked.require_editable(material)
     materials.require_name(name)
-    record = made(model, preset, realisation, compat.renderer(), viewing, **parameters)
+    record = made(model, preset, realisation, compat.renderer(), viewing, finish or "", **parameters)
+    if finish is None and materials.our_node(material) is not None:
+        record = kept_finish(materials.record_of(material), record)
     _require_osl(record.realisation)
     _warn_without_osl(record.realisation)
     return materials.create(record, name, material)
+
+
+def fit(path: str, *, progress: Callable[[float], Any] | None = None, **options: Any) -> Fit:
+    """A model fitted to a measured BRDF; a :class:`addon.measured.Fit`.  It needs no Blender.
+
+    path      of a .bsdf of RGL-EPFL (isotropic, RGB), a .binary of MERL, or a text of points
+    progress  function that is told the share that is done, 0 to 1; where it gives False the fit stops
+    options   fresnel: "best", "f0", "n_k" or "curve"; slopes: 1 to 3; distribution: "beckmann" or "gaussian"
+
+    Raises FacetFilmError for a file that cannot be used, an unknown option, and where it was stopped.
+
+    >>> material = api.create_material(preset=api.fit("satin_purple_rgb.bsdf").preset())       # doctest: +SKIP
+    """
+    from .measured import fit as fit_measured
+    return fit_measured(path, progress=progress, **options)
 
 
 def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     """Render one of our materials by another realisation; everything that the user set stays.
 
     material     a bpy.types.Material made by :func:`create_material`
-    realisation  "fast", "exact", "osl" or "osl_fast"
+    realisation  "fast" or "standard", "exact" or "reference", "osl" or "osl_fast"
 
     Where n and k are still as baked and the other realisation evaluates another
     Fresnel formula (Blender 4.5), they are baked again for it.  Raises
@@ -90,9 +113,25 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     record = materials.record_of(material)
     locked.require_editable(material)
     new = switched(record, realisation, compat.renderer())
-    _require_osl(realisation)
-    _warn_without_osl(realisation)
+    _require_osl(new.realisation)
+    _warn_without_osl(new.realisation)
     materials.write(material, new)
+
+
+def apply_finish(material: bpy.types.Material, finish: str) -> None:
+    """Give one of our materials another finish; what it is made of stays.
+
+    material  a bpy.types.Material made by :func:`create_material`
+    finish    a name of FINISHES; "" for the preset's own surface
+
+    Raises FacetFilmError for an unknown finish, with the nearest ones, a material whose model has no roughness, and
+    one that is not ours or linked.
+    """
+    from .blender.datablocks import locked, materials
+    from .models.finishing import finished
+    record = materials.record_of(material)
+    locked.require_editable(material)
+    materials.write(material, finished(record, finish))
 
 
 def rebake(material: bpy.types.Material, viewing: Mapping[str, Any] | None = None) -> None:
@@ -128,6 +167,21 @@ def export(material: bpy.types.Material, form: str) -> str:
     """
     from .models.making import exported
     return exported(record_of(material), form)
+
+
+def principled_twin(material: bpy.types.Material, name: str | None = None) -> bpy.types.Material:
+    """A new material of one Principled BSDF that comes closest to one of ours, as its node holds it now.
+
+    name  of the new material; by default that of the material and "Principled"
+
+    Fitted for the least CIEDE2000 over the angles that a ball shows; the mean and what is lost stand in its custom
+    properties "facet_film_delta_e" and "facet_film_lost".  For engines and bakers that know no closures of ours.
+
+    Raises FacetFilmError for a material that is not ours.
+    """
+    from .blender.datablocks import materials, principled
+    materials.require_name(name)
+    return principled.twin_of(material, name)
 
 
 def create_fresnel_ramp(preset: Any, **options: Any) -> bpy.types.NodeTree:

@@ -45,8 +45,7 @@ CUP = (
 def metal(preset, finish, name):
     """A metal of the catalogue with a finish."""
     from addon import api
-    SLOPES = {"hammered": 0.12, "polished": 0.03, "satin": 0.12, "brushed_circular": 0.12}
-    return api.create_material(preset=preset, slopes=[(SLOPES[finish], 1.0)], name=name)
+    return api.create_material(preset=preset, finish=finish, name=name)
 
 
 def copper_pot(place):

@@ -55,7 +55,7 @@ def gold_with_pattern():
     wave = math_node("SINE", math_node("MULTIPLY", math_node("ADD", x, y, x=-900), 34.0, x=-800), x=-700)
     striped = math_node("MULTIPLY_ADD", math_node("GREATER_THAN", wave, 0.0, x=-600), ROUGHEST - ROUGH, ROUGH, x=-500)
     slope = math_node("MULTIPLY_ADD", inside, math_node("SUBTRACT", striped, SMOOTH, x=-400), SMOOTH, x=-300)
-    tree.links.new(slope, socket_named(ours, "Slope 1"))
+    tree.links.new(math_node("SQRT", slope, x=-200), socket_named(ours, "Roughness"))
     return material
 
 

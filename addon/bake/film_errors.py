@@ -17,7 +17,6 @@ from ..reflectance.masking import smith_beckmann
 from ..reflectance.sampling import narrow_slope, wide_slope
 from ..reflectance.slopes import beckmann
 from .colour import delta_e_2000, lab
-from .film_table import curve_over_angle
 
 __all__ = ["RealisationErrors", "standard_errors", "reference_errors", "realisation_errors", "worst_of"]
 
@@ -110,7 +109,7 @@ def _difference(shown, exact, space):
 def _exact(table, thickness_nm):
     """The exact F, mapped as the table is, as a function of cos θ."""
     grid = np.linspace(0.0, 1.0, 129)
-    rgb = curve_over_angle(table.stack, table.viewing, float(thickness_nm), grid**2)
+    rgb = table.curve(float(thickness_nm), grid**2)
     return lambda c: np.stack([np.interp(np.sqrt(c), grid, channel) for channel in rgb.T], axis=-1)
 
 

@@ -22,6 +22,8 @@ __all__ = ["FilmTable", "film_table", "smallest_table", "curve_over_angle", "ROW
 ROWS, COLUMNS = 64, 512
 SIZES = ((16, 64), (32, 128), (32, 256), (64, 256), (64, 512), (64, 1024))
 MOST_PIXELS = 1 << 20
+LOSSLESS = 2e-3
+"""Absorbed shares up to this are rounding and gamut mapping of films that absorb nothing."""
 LIGHTS = ("reflected", "transmitted")
 COMPARED_COLUMNS = 73
 """Thicknesses between columns at which a table is held against the exact spectrum, at an angle between any two rows."""
@@ -69,6 +71,25 @@ class FilmTable:
         share = (np.asarray(thickness_nm, float) - low) / (high - low or 1.0)
         y, x = np.broadcast_arrays(np.sqrt(np.clip(cos_theta, 0.0, 1.0)) * (rows - 1), share * (columns - 1))
         return _bilinear(np.sqrt(self.rgb), y, np.clip(x, 0.0, columns - 1)) ** 2
+
+    @property
+    def is_pane(self):
+        """Whether there is air on both sides."""
+        return self.stack.outside == self.stack.below == "air"
+
+    @property
+    def absorbs(self):
+        """Whether its films absorb more than rounding."""
+        visible = np.arange(400.0, 701.0, 10.0)
+        return any(float(np.max(film.constants.at(visible)[1])) * film.high > LOSSLESS for film in self.stack.films)
+
+    def said(self):
+        """One sentence on it."""
+        return f"{written(self.stack)}: largest CIEDE2000 of the table {self.delta_e_2000_max:.2f}."
+
+    def curve(self, thickness_nm, cos_theta):
+        """The exact linear RGB in the gamut of one thickness, ``(A, 3)`` at cos θ ``(A,)``."""
+        return curve_over_angle(self.stack, self.viewing, thickness_nm, cos_theta)
 
     def to_dict(self):
         """What a record keeps of it, ready for JSON: everything but the table itself."""

@@ -33,7 +33,7 @@ def resolve(what, choose=()):
 
     what    a preset's name, alias or title; a dataset's id "shelf/book/page", or the address of its page; the path of a
             file, a table of several lines as text; a stack of layers such as "SiO2 0-1000 nm / Si";
-             OpticalConstants, or a Resolved
+            OpticalConstants, a Preset or a Resolved
     choose  of a file that holds or can mean several things: which, as :func:`addon.spectra.readers.read_file` has it
 
     A preset's name is that preset, whatever file lies in the folder.  Raises FacetFilmError, with what comes nearest.
@@ -45,6 +45,8 @@ def resolve(what, choose=()):
     """
     if isinstance(what, Resolved):
         return what
+    if isinstance(what, Preset):
+        return Resolved(what, presets.constants(what))
     if isinstance(what, OpticalConstants):
         return Resolved(_unnamed(what), what)
     if not isinstance(what, str):
@@ -122,8 +124,12 @@ def _named(word):
 def _of_stack(text):
     """What the models have that is made of a stack of layers in words, checked; see addon.bake.stack_notation."""
     from .. import models
+    from ..bake.film_curve import is_curve, knots_of
     from ..bake.stack_notation import parse, written
-    text = written(parse(text, layer))
+    if is_curve(text):
+        knots_of(text)
+    else:
+        text = written(parse(text, layer))
     model = next(model for model in models.all_models() if model.made_of == "stack")
     return Resolved(Preset(text, text, "iridescent", model=model.name, parameters={model.made_of: text}), None)
 

@@ -6,8 +6,10 @@ from typing import Any
 from ..catalogue.resolving import resolve
 from ..errors import FacetFilmError, choice
 from . import DEFAULT, named, names
+from .finishing import under_finish
 from .model import Renderer
 from .parameters import Colour
+from .realisations import realisation_named
 from .record import Record, Source
 
 USUAL = "usual"
@@ -19,15 +21,17 @@ __all__ = ["USUAL", "exported", "made", "rebaked", "renewed", "switched"]
 
 
 def made(model: str | None = None, preset: Any = None, realisation: str = USUAL, renderer: Renderer = ANY_RENDERER,
-         viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
+         viewing: Mapping[str, Any] | None = None, finish: str = "", **parameters: Any) -> Record:
     """The Record of a preset or measurement, with some parameters of one's own.
 
     model        name of a model; by default the preset's
     preset       what :func:`addon.catalogue.resolving.resolve` understands; None for the parameters alone
-    realisation  one that the model has; by default the preset's own, as "dispersive" of diamond, else "fast"
+    realisation  one that the model has, by either of its names ("fast" or "standard", "exact" or "reference", …); by
+                 default the preset's own, as "dispersive" of diamond, else "fast"
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
-    parameters   of the model, over the preset's own
+    finish       name of a finish, over the preset's own surface; "" for that
+    parameters   of the model, over the preset's own and the finish's
 
     Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
 
@@ -41,16 +45,17 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     resolved = _what_it_is_made_of(chosen, resolved, parameters)
     if realisation == USUAL:
         realisation = _usual(chosen, resolved)
-    choice("realisation", realisation, chosen.realisations)
+    realisation = choice("realisation", realisation_named(realisation), chosen.realisations)
+    finish, parameters = under_finish(finish, chosen, parameters)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
-        return _with_group(Record(chosen.name, realisation, "", 0, checked), chosen)
+        return _with_group(Record(chosen.name, realisation, "", 0, checked, finish=finish), chosen)
     _require_of(chosen, resolved)
     options = _viewing(chosen, resolved, renderer, viewing)
     baked = chosen.bake(resolved, options, realisation, renderer)
     typed = _typed_colours(chosen, resolved, options.get("space", renderer.space))
     checked = chosen.parameters().changed(**{**baked.parameters, **typed}).changed(**parameters)
-    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts)
+    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts, finish)
     return _with_group(record, chosen, baked.variant)
 
 
@@ -64,7 +69,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER
     'layered_rgb_exact'
     """
     model = named(record.model)
-    choice("realisation", realisation, model.realisations)
+    realisation = choice("realisation", realisation_named(realisation), model.realisations)
     if record.measured and model.as_baked(record.parameters, record.baked):
         return rebaked(record.changed(realisation=realisation), renderer, record.viewing, only=("n", "k"))
     _, variant = model.realisation_of(record.group)
@@ -166,9 +171,11 @@ def _typed_colours(model, resolved, space):
 
 
 def _viewing(model, resolved, renderer, viewing):
-    """All options of a bake, the file's working space where none is named; {} where nothing is measured."""
+    """All options of a bake, the file's working space where none is named; of what is stated and not measured the space
+    alone, and {} where a model has none.
+    """
     if resolved.constants is None and not model.picture:
-        return {}
+        return {"space": renderer.space} if model.measured else {}
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})
     return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,

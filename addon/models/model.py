@@ -143,6 +143,7 @@ class Model:
     realisations  {name of addon.models.realisations.REALISATIONS: ids of the groups that render it, the usual one
                   first}
     evaluate      function(parameters, n, v, l) -> the whole BRDF in 1/sr, ``(..., 3)``, of unit directions ``(..., 3)``
+                  and, where the surface has a direction of its own, a tangent, by default around the z axis
     facts         function(resolved preset, addon.bake.Bake) -> all that was baked, ready for JSON; for measurements
     bake          function(resolved preset, viewing options, realisation, Renderer) -> Baked
     look          function(parameters, place) -> Look; place is None, or x, y, z on a unit ball, ``(...)`` each
@@ -156,7 +157,9 @@ class Model:
     forms         {name: Form} that :func:`write_form` knows
     write_form    function(form, Record) -> text
     swatch        function(Record, columns) -> Swatch, or None where its colours depend on nothing that a strip shows
-    principled    function(Record) -> {socket of a Principled BSDF: value}, or None where none comes close
+    fits          {name of what F is: "module.Class" of the addon.models.fitted.Form that measurements are fitted in}
+    standin       function(Record in linear Rec.709 by the exact formula) -> addon.export.standin.Standin, the shader of
+                  base colour and metalness that comes closest; None where a look has to do
     measured      whether a measurement that is no preset can become a material of it
     refracts     whether light passes through its materials, which EEVEE has to be told
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
@@ -183,7 +186,8 @@ class Model:
     forms: Mapping[str, Form] = dataclasses.field(default_factory=dict)
     write_form: Callable | None = None
     swatch: Callable | None = None
-    principled: Callable | None = None
+    fits: Mapping[str, str] = dataclasses.field(default_factory=dict)
+    standin: Callable | None = None
     measured: bool = False
     refracts: bool = False
     made_of: str = ""

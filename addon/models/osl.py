@@ -6,10 +6,13 @@ from .realisations import REALISATIONS
 __all__ = ["build_script"]
 
 
-def build_script(builder, model, realisation):
+def build_script(builder, model, realisation, given=lambda sockets: {}):
     """Build a model's script, "<model>.osl" in its folder, into a group; `Exact` where the realisation draws the
     formula.
+
+    given  function(operands of the sockets) -> {parameter of the script: operand} that takes the socket's place
     """
-    add_inputs(builder, model.parameters.TABLE, realisation)
+    sockets = add_inputs(builder, model.parameters.TABLE, realisation)
     exact = not REALISATIONS[realisation].native
-    builder.output("BSDF", builder.script(model.folder / f"{model.name}.osl", {"Exact": int(exact)}))
+    values = {"Exact": int(exact), **given(sockets)}
+    builder.output("BSDF", builder.script(model.folder / f"{model.name}.osl", values))

@@ -7,6 +7,7 @@ documents' table all come from the rows.
 
 import dataclasses
 import math
+from collections.abc import Callable
 from types import SimpleNamespace
 
 from ..errors import FacetFilmError, choice, number, numbers_of
@@ -30,6 +31,7 @@ class Socket:
     panel       the closed panel that it stands in, or ""
     plugged     whether it takes links alone: no value is shown
     never_zero  promises that no product with it folds away
+    beside      function(value) -> what the panel shows behind the name, or None
     """
 
     name: str
@@ -44,6 +46,7 @@ class Socket:
     panel: str = ""
     plugged: bool = False
     never_zero: bool = False
+    beside: Callable | None = None
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -58,7 +61,7 @@ class Parameter:
     low, high    the range, ends included; above, below: ends that it may not touch
     slider       (low, high) of the socket where they are not those of the range
     unit         "nm", "radians" or ""
-    subtype, panel, never_zero  as Socket has them
+    subtype, panel, never_zero, beside  as Socket has them
     realisations  those that have it; () for all
     key          what the formulas that are built call it; by default its name
     group        id of the group that feeds the material's own and has the row's sockets, or "" for the own one
@@ -78,6 +81,7 @@ class Parameter:
     subtype: str = ""
     panel: str = ""
     never_zero: bool = False
+    beside: Callable | None = None
     realisations: tuple = ()
     key: str = ""
     group: str = ""
@@ -95,11 +99,20 @@ class Parameter:
         unit = "" if self.subtype == "ANGLE" else self.unit
         return (Socket(self.socket, self.key or self.name, self.kind, self.default, self.tip,
                        None if low == -math.inf else low, None if high == math.inf else high,
-                       unit, self.subtype, self.panel, self.plugged, self.never_zero),)
+                       unit, self.subtype, self.panel, self.plugged, self.never_zero, self.beside),)
 
     def read_from(self):
         """Names of the values that it is read from: its sockets'."""
         return tuple(socket.name for socket in self.sockets())
+
+    def is_in(self, values):
+        """Whether the values, ``{name: value}``, hold it."""
+        return bool(self.read_from()) and all(name in values for name in self.read_from())
+
+    @property
+    def unsaid(self):
+        """What the checked class holds where nothing is said: the default, or None where it follows from others."""
+        return self.default
 
     def checked(self, value):
         """The value as the row keeps it.  Raises FacetFilmError naming the parameter and its range."""
@@ -274,7 +287,7 @@ def checked_class(name, table):
     ...
     addon.errors.FacetFilmError: width must be a number at least 0, not -1.
     """
-    fields = [(row.name, object, dataclasses.field(default=row.default)) for row in table if row.is_value]
+    fields = [(row.name, object, dataclasses.field(default=row.unsaid)) for row in table if row.is_value]
     return dataclasses.make_dataclass(name, fields, bases=(Checked,), frozen=True, namespace={"TABLE": table})
 
 
@@ -300,6 +313,6 @@ def written(parameters, group=""):
 
 
 def read(table, values, group=""):
-    """{parameter's name: value} of the rows whose sockets are all among the values, ``{name: value}``."""
-    return {row.name: row.read(values) for row in table if row.is_value and row.group == group
-            and row.read_from() and all(name in values for name in row.read_from())}
+    """{parameter's name: value} of the rows that the values, ``{name: value}``, hold."""
+    return {row.name: row.read(values) for row in table
+            if row.is_value and row.group == group and row.is_in(values)}

@@ -135,6 +135,12 @@ class GroupBuilder:
         own = self.node("ShaderNodeNewGeometry", output="Normal")
         return where(less(dot(socket, socket), 1e-8), own, normalize(socket))
 
+    def tangent(self, socket):
+        """The Tangent socket's direction, or the surface's own around the object's Z where nothing is plugged in."""
+        from ..operands import dot, less, where
+        own = self.node("ShaderNodeNewGeometry", output="Tangent")
+        return where(less(dot(socket, socket), 1e-8), own, socket)
+
     def incoming(self):
         """V, the unit direction from the surface to the viewer."""
         return self.node("ShaderNodeNewGeometry", output="Incoming")
@@ -153,7 +159,7 @@ class GroupBuilder:
         """The closure of an OSL script, whose parameters bear the names of the group's inputs without their spaces.
 
         file    path of the source, which travels in the file as a text
-        values  {parameter: value} of those that are no input
+        values  {parameter: number or operand} of those that are no input, or take an input's place
         """
         node = self._new_node("ShaderNodeScript", {"mode": "INTERNAL"})
         node.script = text_of(file)
@@ -162,7 +168,10 @@ class GroupBuilder:
             if item.item_type == "SOCKET" and item.in_out == "INPUT":
                 self.connect(socket_of(node.inputs, item.name.replace(" ", "")), NodeOperand(self, "FLOAT", item.name))
         for name, value in values.items():
-            socket_of(node.inputs, name).default_value = value
+            if isinstance(value, NodeOperand):
+                self.connect(socket_of(node.inputs, name), value)
+            else:
+                socket_of(node.inputs, name).default_value = value
         return NodeOperand(self, "SHADER", socket_of(node.outputs, "BSDF"))
 
     def add_shaders(self, *shaders):
@@ -175,6 +184,13 @@ class GroupBuilder:
     def scale_shader(self, factor, shader):
         """A closure times a factor that is held to [0, 1]."""
         return self.node("ShaderNodeMixShader", {"Fac": factor, "Shader_001": shader})
+
+    def scale_shader_twofold(self, factor, shader):
+        """A closure times a factor that is held to [0, 2].
+
+        Cycles adds the weights of a closure that is linked twice, and evaluates it once.
+        """
+        return self.add_shaders(self.scale_shader(factor, shader), self.scale_shader(factor - 1.0, shader))
 
     @contextlib.contextmanager
     def frame(self, label):

@@ -47,11 +47,15 @@ def why_no_osl():
     """Why this Blender cannot compile OSL, or an empty text."""
     import _cycles
     if not _cycles.with_osl:
-        return "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material"
+        return "This Blender is built without OSL: take Reference or Standard, which render the same material"
     _find_oslquery()
     if importlib.util.find_spec("oslquery") is None:
-        return "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast"
+        return "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard"
     return ""
+
+
+OF_BLENDER = ("OpenImageIO", "oslquery")
+"""The second needs the first."""
 
 
 def _find_oslquery():
@@ -59,5 +63,14 @@ def _find_oslquery():
     if importlib.util.find_spec("oslquery") is None:
         version = f"python{sys.version_info.major}.{sys.version_info.minor}"
         folder = Path(bpy.utils.resource_path("LOCAL")) / "python" / "lib" / version / "site-packages"
-        if (folder / "oslquery").exists():
-            sys.path.append(str(folder))
+        if all((folder / name).exists() for name in OF_BLENDER):
+            for name in OF_BLENDER:
+                _load(name, folder / name / "__init__.py")
+
+
+def _load(name, file):
+    """Load a package of Blender's own under its name, and leave the path that modules are searched on as it is."""
+    spec = importlib.util.spec_from_file_location(name, file, submodule_search_locations=[str(file.parent)])
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)

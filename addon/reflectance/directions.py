@@ -6,9 +6,25 @@ H = (V + L)/|V + L|.
 
 from types import SimpleNamespace
 
-from ..operands import cos, cross, dot, maximum, normalize, sin, term, vector, widen
+from ..operands import (
+    cos,
+    cross,
+    dot,
+    less,
+    maximum,
+    normalize,
+    sin,
+    term,
+    vector,
+    where,
+    widen,
+    x_of,
+    y_of,
+    z_of,
+)
 
-__all__ = ["PI", "direction", "half_vector", "mirrored", "cosines", "facing", "tangent_of", "frame_about", "in_frame"]
+__all__ = ["PI", "direction", "half_vector", "mirrored", "cosines", "facing", "tangent_of", "around_z", "frame_along",
+           "frame_about", "in_frame"]
 
 PI = 3.141592653589793
 
@@ -82,6 +98,30 @@ def tangent_of(n):
     [0.0, 1.0, 0.0]
     """
     return normalize(cross(n, NOBODYS_NORMAL))
+
+
+def around_z(n):
+    """The unit tangent around the z axis, ``(..., 3)``: what Blender gives a ball as its own; x at the poles.
+
+    >>> (around_z(direction(0.5, 0.0)).round(6) + 0.0).tolist()
+    [0.0, 1.0, 0.0]
+    """
+    flat = vector(-y_of(n), x_of(n), 0.0 * z_of(n))
+    return normalize(where(widen(less(dot(flat, flat), 1e-12)), (1.0, 0.0, 0.0), flat))
+
+
+@term("Frame")
+def frame_along(n, tangent):
+    """Two unit tangents (t, b) that make a right-handed frame (t, b, N) with the normal, t next to `tangent`.
+
+    n, tangent  ``(..., 3)``; the tangent of any length, not along N
+
+    >>> t, b = frame_along(direction(0.0, 0.0), direction(1.0, 0.0))
+    >>> t.round(6).tolist(), b.round(6).tolist()
+    ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
+    """
+    b = normalize(cross(n, tangent))
+    return cross(b, n), b
 
 
 @term("Frame")

@@ -10,7 +10,7 @@ from ..operands import clip, less, maximum, minimum, power, sqrt, term, where
 
 __all__ = [
     "conductor", "conductor_blender_4_5", "dielectric", "index_from_normal", "dielectric_from_normal",
-    "schlick", "f82", "f82_unclamped", "f82_tint_of", "cheap_colour_shift", "COS_THETA_82", "F82_LOBE",
+    "schlick", "f82", "f82_unclamped", "f82_tint_of", "cheap_colour_shift", "tinted", "COS_THETA_82", "F82_LOBE",
 ]
 
 COS_THETA_82 = 1.0 / 7.0
@@ -227,3 +227,39 @@ def cheap_colour_shift(cos_theta, colour_0, colour_90, average_f0):
     f = dielectric_from_normal(cos_theta, average_f0)
     share = maximum(f - average_f0, 0.0) / maximum(1.0 - average_f0, 1e-6)
     return colour_0 + (colour_90 - colour_0) * share
+
+
+@term("Tint")
+def tinted(n, k, tint):
+    """n and k of a metal whose reflectance at normal incidence is tint times that of n + ik; as they are where k is 0.
+
+    tint  [0, 1], as n and k, which broadcast with it
+
+    By the two handles of O. Gulbrandsen, "Artist Friendly Metallic Fresnel", Journal of Computer Graphics Techniques
+    3(4), 2014: the normal reflectance r, and where n stands between the least, (1 − r)/(1 + r), and the greatest,
+    (1 + √r)/(1 − √r), that a material of this r can have. The first is tinted and the second kept, so that the edge
+    stays white, as a metal's is. All is said by 1 − r = 4n/((n + 1)² + k²), of which no digits are lost.
+
+    >>> n, k = tinted(0.2, 3.91, 0.5)
+    >>> round(float(conductor(1.0, n, k) / conductor(1.0, 0.2, 3.91)), 6)
+    0.5
+    >>> [float(x) for x in tinted(1.5, 0.0, 0.5)], [float(x) for x in tinted(0.2, 3.91, 1.0)]
+    ([1.5, 0.0], [0.2, 3.91])
+    """
+    n_1 = n + 1.0
+    lost = 4.0 * n / (n_1 * n_1 + k * k)
+    least, most = _indices(lost)
+    place = (n - least) / maximum(most - least, SMALLEST)
+    lost_tinted = lost + (1.0 - tint) * (1.0 - lost)
+    least, most = _indices(lost_tinted)
+    n_tinted = least + place * (most - least)
+    n_1 = n_tinted + 1.0
+    k_tinted = sqrt(maximum(4.0 * n_tinted / lost_tinted - n_1 * n_1, 0.0))
+    dyes = less(0.0, k) * less(tint, 1.0)
+    return where(dyes, n_tinted, n), where(dyes, k_tinted, k)
+
+
+def _indices(lost):
+    """The least and the greatest n of a material that takes in this much at normal incidence."""
+    root = 1.0 + sqrt(1.0 - lost)
+    return lost / (2.0 - lost), root * root / lost

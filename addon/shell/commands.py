@@ -4,12 +4,14 @@ from ..errors import FacetFilmError, number
 from ..export import json_text
 from . import text as shown
 
-__all__ = ["bake_command", "check_command", "list_command", "search_command", "spread_command", "swatch_command",
-           "verify_command", "ways_command"]
+__all__ = ["bake_command", "check_command", "fit_command", "list_command", "search_command", "spread_command",
+           "swatch_command", "verify_command", "ways_command"]
 
 SHOWN_COLOURS = 9
 """Of a strip, in a table or JSON."""
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
+SURFACE = ("finish", "roughness", "tint", "anisotropy", "rotation")
+FORMS = ("json", "csv", "spectrum_csv", "materialx")
 
 
 def _given(options, *names):
@@ -22,7 +24,11 @@ def _json(value):
 
 
 def list_command(options):
-    """The presets of all models, or the illuminants."""
+    """The presets of all models, the finishes, or the illuminants."""
+    if options.what == "finishes":
+        from ..finishes import all_finishes
+        found = all_finishes()
+        return _json([vars(finish) for finish in found]) if options.json else shown.finishes(found)
     if options.what == "illuminants":
         from ..spectra import illuminants
         titles = {name: illuminants.title(name) for name in illuminants.names()}
@@ -40,7 +46,11 @@ def bake_command(options):
     from ..catalogue.resolving import resolve
     from ..export import write_text
     resolved = resolve(options.material, options.choose)
-    written = _form(options, resolved) if _is_a_curve(resolved) else _made(options, resolved)
+    surface = _given(options, *SURFACE)
+    if _is_a_curve(resolved) and not surface:
+        written = _form(options, resolved)
+    else:
+        written = _made(options, resolved, surface)
     if options.output is None:
         return written
     return "Wrote " + write_text(options.output, written + "\n")
@@ -65,17 +75,22 @@ def _form(options, resolved):
         from ..models import DEFAULT, named
         return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
     if options.materialx:
-        from ..models.making import made
-        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
-        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse).rstrip()
+        from ..models.making import exported, made
+        export.require_exact(baked)
+        return exported(made(preset=resolved, viewing=_given(options, *VIEWING)), "materialx").rstrip()
     return shown.baked(baked)
 
 
-def _made(options, resolved):
-    """What was baked into a material, in the form that was asked for; of one that was not measured its parameters."""
+def _made(options, resolved, surface):
+    """What was baked into a material, in the form that was asked for; of one that was not measured its parameters.
+
+    surface  {parameter: value} that takes the place of the preset's own
+    """
     from ..models.making import exported, made
-    record = made(preset=resolved, viewing=_given(options, *VIEWING))
-    form = next((form for form in ("csv", "spectrum_csv", "materialx") if getattr(options, form)), None)
+    record = made(preset=resolved, viewing=_given(options, *VIEWING), **surface)
+    form = next((form for form in FORMS if getattr(options, form) and (surface or form != "json")), None)
+    if form == "json" and not record.measured:
+        return _json(record.to_dict())
     if form and record.measured:
         return exported(record, form).rstrip()
     if form:
@@ -156,6 +171,19 @@ def ways_command(options):
     from ..catalogue.resolving import resolve
     found = ways(resolve(options.material, options.choose), **_given(options, *VIEWING))
     return _json(found.to_dict()) if options.json else shown.ways(found)
+
+
+def fit_command(options):
+    """A model fitted to a measured BRDF."""
+    from ..export.writing import write_bytes
+    from ..measured import fit
+    found = fit(options.file, fresnel=options.fresnel, slopes=options.slopes, distribution=options.distribution)
+    said = _json(found.to_dict()) if options.json else shown.fitted(found)
+    if options.picture:
+        from ..measured.picture import picture
+        written = write_bytes(options.picture, picture(found))
+        return said if options.json else f"{said}\n  wrote {written}"
+    return said
 
 
 def verify_command(options):

@@ -16,15 +16,16 @@ def parser():
         description="Measured metals and layered films: colours and parameters for Cycles.")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
-    command = _command(commands, "list", work.list_command, "list the presets, or the illuminants")
-    command.add_argument("what", nargs="?", choices=("presets", "illuminants"), default="presets",
-                         help="presets (the default) or illuminants")
+    command = _command(commands, "list", work.list_command, "list the presets, finishes or illuminants")
+    command.add_argument("what", nargs="?", choices=("presets", "finishes", "illuminants"),
+                         default="presets", help="presets (the default), finishes or illuminants")
 
     command = _command(commands, "bake", work.bake_command, "colours over angle and fitted parameters of a material",
                        _add_forms)
     command.add_argument("material", metavar=MATERIAL,
                          help="a preset, a dataset of the database, or a file of your own measurements")
     _add_viewing_options(command)
+    _add_surface_options(command)
     _add_choose_option(command)
     _add_formula_option(command)
     command.add_argument("--from-normal-reflectance", action="store_true",
@@ -64,6 +65,16 @@ def parser():
     command.add_argument("material", metavar=MATERIAL, help="a material")
     _add_viewing_options(command, gamut=False)
     _add_choose_option(command)
+
+    command = _command(commands, "fit", work.fit_command, "fit a model to a measured BRDF, and say how well it does")
+    command.add_argument("file", metavar="FILE", help=".bsdf of RGL-EPFL (isotropic, RGB), .binary of MERL, or points "
+                         "as text: θi φi θo φo and red green blue")
+    command.add_argument("--fresnel", default="best", metavar="NAME",
+                         help="best (the default), f0, n_k, or curve, which changes colour with the angle")
+    command.add_argument("--slopes", type=int, default=2, metavar="N", help="1 to 3 slopes of facets (2)")
+    command.add_argument("--distribution", default="beckmann", metavar="NAME",
+                         help="beckmann (the default) or gaussian")
+    command.add_argument("--picture", metavar="FILE.png", help="measured and fitted ball, side by side")
 
     command = _command(commands, "verify", work.verify_command, "render every model and realisation in this Blender "
                        "and hold the pixels against the formulas", _add_report)
@@ -119,6 +130,18 @@ def _add_viewing_options(command, gamut=True):
                              help="for colours outside: nearest, unless told otherwise; desaturate, scale, clip, leave")
         command.add_argument("--medium", default=argparse.SUPPRESS, metavar="N|NAME",
                              help="what the surface is in: an index such as 1.33, or a clear material such as water")
+
+
+def _add_surface_options(command):
+    """Of the surface, in place of the preset's own."""
+    command.add_argument("--finish", default=argparse.SUPPRESS, metavar="NAME",
+                         help="what was done to the surface, as brushed: see list finishes")
+    for name, what in (("--roughness", "0 to 1, the root of the rms slope m"),
+                       ("--anisotropy", "0 to below 1: slopes longer along the tangent than across it"),
+                       ("--rotation", "0 to 1 turns of the tangent")):
+        command.add_argument(name, type=float, default=argparse.SUPPRESS, metavar="X", help=what)
+    command.add_argument("--tint", type=float, nargs=3, default=argparse.SUPPRESS, metavar=("R", "G", "B"),
+                         help="dyes what metals and the diffuse part reflect")
 
 
 def _add_choose_option(command):

@@ -1,6 +1,7 @@
 """What the shell's commands print for people."""
 
-__all__ = ["baked", "checked", "columns", "found", "illuminants", "presets", "record", "spread", "swatch", "ways"]
+__all__ = ["baked", "checked", "columns", "finishes", "fitted", "found", "illuminants", "presets", "record", "spread",
+           "swatch", "ways"]
 
 SHOWN_DEGREES = (0, 30, 60, 75, 80, 85, 89)
 CHANNELS = ("red", "green", "blue")
@@ -16,13 +17,30 @@ def presets(records):
 
 
 def record(made):
-    """A material that was not measured: its parameters, and what is to be said about it.
+    """A material as its parameters, and what is to be said about it.
 
     made  an addon.models.record.Record
     """
-    rows = [(name, " ".join(f"{x:g}" for x in value) if isinstance(value, list) else str(value))
-            for name, value in made.parameters.to_dict().items()]
-    return "\n".join([f"{made.title} ({made.model})", columns(rows, "  "), "  " + made.baked["note"]])
+    rows = [("finish", made.finish)] if made.finish else []
+    rows += [(name, _words(value)) for name, value in made.parameters.to_dict().items()]
+    return "\n".join([f"{made.title} ({made.model})", columns(rows, "  "),
+                      *(f"  {note}" for note in filter(None, [made.baked.get("note")]))])
+
+
+def _words(value):
+    """A parameter's value; of a list of lists, those between commas."""
+    if not isinstance(value, list):
+        return f"{value:g}" if isinstance(value, float) else str(value)
+    return (", " if value and isinstance(value[0], list) else " ").join(map(_words, value))
+
+
+def finishes(found):
+    """A line a finish.
+
+    found  Finishes
+    """
+    return columns([(finish.name, finish.title, " ".join(f"{m:g}" for m, _ in finish.slopes),
+                     f"{finish.anisotropy:g}" if finish.anisotropy else "", finish.source) for finish in found])
 
 
 def illuminants(titles):
@@ -115,6 +133,32 @@ def checked(check):
         f"  CIEDE2000 {check.delta_e_2000_normal:.2f} at 0°, at most {check.delta_e_2000_max:.2f} "
         f"(at {check.at_degrees:.0f}°)",
         "  curve", columns(curve, "    ")])
+
+
+def fitted(fit):
+    """A fit as a table.
+
+    fit  an addon.measured.Fit
+    """
+    rows = [(name, " ".join(f"{x:.4g}" for x in _flat(value)) if isinstance(value, list) else _rounded(value))
+            for name, value in fit.parameters.to_dict().items()]
+    samples = f"{fit.used} used, {fit.rejected} left out"
+    tried = ", ".join(f"{name} {difference:.2f}" for name, difference in fit.tried.items())
+    facts = [("colour", f"CIEDE2000 {fit.mean:.2f} on average, below {fit.p95:.1f} in 95 % of the picture, in a light "
+                        "that was not fitted to"),
+             ("worst", f"{fit.worst:.1f} where it is seen {fit.worst_degrees:.0f}° from its normal"),
+             ("samples", samples), ("tried", f"{tried}, in the lights that were fitted to"),
+             ("verdict", fit.verdict), *(("read as", note) for note in fit.notes)]
+    return "\n".join([f"{fit.title} ({fit.file}, {fit.form}): {fit.model}, {fit.fresnel}", columns(rows, "  "),
+                      columns(facts, "  ")])
+
+
+def _flat(value):
+    return [x for item in value for x in (_flat(item) if isinstance(item, list) else [item])]
+
+
+def _rounded(value):
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def swatch(title, strip, colours):

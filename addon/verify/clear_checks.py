@@ -33,7 +33,9 @@ def checks(realisations):
             Check(MODEL, realisation, "thin wall at 60°", "transmittance of an absorbing sheet against the slab "
                   "formula", thin_wall, {**BODY, "walls": "thin", "absorption": SIGMA, "thickness": 0.002}),
             Check(MODEL, realisation, "see-through shadow", "the floor under a slab in the sun, against one way "
-                  "straight through", shadow, {**BODY, "absorption": SIGMA})]
+                  "straight through", shadow, {**BODY, "absorption": SIGMA}),
+            Check(MODEL, realisation, "shadow of a ball", "the floor under a ball in an even sky, its shadow straight, "
+                  "against all paths through it", shadow_of_a_ball, BODY)]
     return found
 
 
@@ -81,6 +83,7 @@ def shadow(realisation, rendered, parameters):
     """A white floor in the sun from straight above, seen beside the slab's own reflections: from below it."""
     scene = _scene(resolution=8, extent=0.2)
     scene.camera.location.z = -0.5
+    scene.cycles.diffuse_bounces = 0  # the floor's own light comes back from the slab
     box = _box(api.create_material(MODEL, realisation=realisation, **rendered), THICK)
     box.visible_camera = False
     floor = _floor(-1.0)
@@ -88,6 +91,19 @@ def shadow(realisation, rendered, parameters):
     scenes.add_sun(scene, 0.0)
     one_way = (1.0 - fresnel.dielectric(1.0, parameters["ior"])) ** 2 * _passage(parameters, 1.0, THICK)
     return _largest([scenes.render(scene).mean(axis=(0, 1))], [0.5 / np.pi * one_way], 0.005)
+
+
+def shadow_of_a_ball(realisation, rendered, parameters):
+    """A floor close below a ball, seen from between them; what true paths give is rendered, too."""
+    found = []
+    for shown in (rendered, {**parameters, "see_through": 0.0}):
+        scene = _scene(samples=1024, resolution=8, extent=1.6)
+        scene.camera.location.z = -1.05
+        scenes.set_world(scene, 1.0)
+        scenes.add_sphere(api.create_material(MODEL, realisation=realisation, **shown), segments=64)
+        _floor(-1.2)
+        found.append(scenes.render(scene).mean(axis=(0, 1)))
+    return _largest(found[:1], found[1:], 0.02)
 
 
 def _passage(parameters, cos_theta, thickness):

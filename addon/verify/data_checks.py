@@ -5,7 +5,7 @@ import numpy as np
 from .. import api
 from ..bake import bake
 from ..bake.colour import delta_e_2000, lab
-from ..bake.reflected import reflect
+from ..bake.reflected import Viewing, reflect
 from ..blender import compat
 from ..catalogue import presets
 from . import scenes
@@ -75,7 +75,7 @@ def rendered_colours(realisation, rendered, parameters):
     mask &= normals[..., 2].min(axis=2) > RIM
     space = compat.working_space()
     reference = np.zeros_like(picture)
-    curve = reflect(parameters["preset"]).mapped_at
+    curve = reflect(parameters["preset"], Viewing(space=space)).mapped_at
     cosines = np.linspace(RIM, 1.0, 64)
     colours = curve(cosines)
     for channel in range(3):

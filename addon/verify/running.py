@@ -72,6 +72,8 @@ def verify(path=REPORT, *, device="CPU", only=None, record=None, say=print):
         # A path that cannot be written is known before minutes pass, and a run that is cut short is not green.
         write_text(path, report.unfinished(facts))
         scenes.render_on(cycles_device)
+        with _quiet():
+            scenes.require_readable()
         results = _results(todo, say)
     written = write_text(path, report.page(results, facts, data_checks.table_of_presets(), left_out))
     if record is not None:

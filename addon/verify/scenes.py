@@ -10,8 +10,10 @@ import tempfile
 import bpy
 import numpy as np
 
-__all__ = ["empty_scene", "add_sphere", "add_sun", "set_world", "render", "render_seeds", "pixel_normals",
-           "sun_directions", "render_on", "VIEW", "TWO_CORES"]
+from ..errors import FacetFilmError
+
+__all__ = ["require_readable", "empty_scene", "add_sphere", "add_sun", "set_world", "render", "render_seeds",
+           "pixel_normals", "sun_directions", "render_on", "VIEW", "TWO_CORES"]
 
 VIEW = np.array([0.0, 0.0, 1.0])
 TWO_CORES = 2
@@ -132,6 +134,21 @@ def render(scene, seed=0):
         channels = image.channels
         bpy.data.images.remove(image)
     return pixels.reshape(height, width, channels)[..., :3].astype(float)
+
+
+TOLD = (0.25, 0.5, 0.75)
+"""Radiance that a scene of nothing but it has to come back as."""
+
+
+def require_readable():
+    """Raise FacetFilmError where pixels do not come back from a file as they were rendered: nothing can be compared."""
+    scene = empty_scene(2)
+    background = set_world(scene, 1.0)
+    background.inputs["Color"].default_value = (*TOLD, 1.0)
+    if not np.allclose(render(scene), TOLD, atol=1e-4):
+        raise FacetFilmError("Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as "
+                             "they were rendered, so nothing can be verified: use one that has a role for data, or "
+                             "start Blender without it.")
 
 
 def render_seeds(scene, count, first=1):

@@ -9,19 +9,21 @@ from types import SimpleNamespace
 import numpy as np
 
 from addon.models.cook_torrance import gaussian_lobes, sampler
-from addon.operands import arccos, dot
+from addon.models.cook_torrance.v_cavity_lobe import v_cavity_lobe
+from addon.operands import arccos, rotate
 from addon.reflectance import fresnel, masking, sampling, slopes
-from addon.reflectance.directions import PI, facing, tangent_of
+from addon.reflectance.directions import PI, facing, frame_along
 from tests.render.osl_grids import about, column, grid, single, spread, tangent_in_the_scripts
 
 SCRIPT = "cook_torrance.osl"
 
 NOT_COMPARED = {
     "random(point, int)": "random numbers",
-    "exact(vector, vector, float[4], float[4], vector, vector, float, float, float, float, point)": "a closure",
-    "beckmann_lobe(vector, float, vector, vector)": "a closure",
-    "gaussian_lobes(vector, float, vector, vector)": "a closure",
-    "closures(vector, float[4], float[4], vector, vector, float, float, float)": "a closure",
+    "exact(vector, vector, float[4], float[4], float, vector, vector, vector, float, float, float, float, point)":
+        "a closure",
+    "beckmann_lobe(vector, float, float, vector, vector, vector)": "a closure",
+    "gaussian_lobes(vector, float, float, float, vector, vector, vector)": "a closure",
+    "closures(vector, vector, float[4], float[4], float, vector, vector, vector, float, float, float)": "a closure",
 }
 
 COSINES = (0.02, 0.1, 0.25, 0.5, 0.8, 0.95, 0.999, 1.0)
@@ -30,7 +32,8 @@ SHARES = (0.0, 0.3, 0.7, 1.0)
 UNIT = (0.0, 1.0)
 
 FIELDS = ("H", "across", "a_across", "a_along", "stretch", "n_h", "n_v", "n_l", "v_h", "tangent", "v_across",
-          "steepness", "peak", "density")
+          "v_along", "steepness", "peak", "density", "lobe_tangent", "narrow", "broad", "covariance")
+DIRECTIONS = ("H", "across", "lobe_tangent")
 
 
 # --- Facets ---
@@ -38,37 +41,43 @@ FIELDS = ("H", "across", "a_across", "a_along", "stretch", "n_h", "n_v", "n_l", 
 def fields_of(x):
     """A facet as the script keeps it: D's peak in place of its flatness."""
     x.H, x.peak = x.h, np.broadcast_to(1.0 / x.flat ** 2, np.shape(x.n_h))
-    return SimpleNamespace(**{name: np.broadcast_to(getattr(x, name), x.h.shape if name in ("H", "across")
+    return SimpleNamespace(**{name: np.broadcast_to(getattr(x, name), x.h.shape if name in DIRECTIONS
                                                     else x.n_h.shape) for name in FIELDS})
 
 
-def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
-    """The formula's facet, in the script's order, its azimuth counted from the script's tangent."""
-    ours, theirs = tangent_of(n), tangent_in_the_scripts(n)
-    turn = np.arctan2(dot(np.cross(ours, theirs), n), dot(ours, theirs)) / (2.0 * PI)
-    x = sampler.facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth + turn, u_side)
+def ellipse_of(t, along, across):
+    """How slopes are stretched, as the sampler has it."""
+    return SimpleNamespace(is_elliptic=1.0, t=t, along=along, across=across)
+
+
+def facet(n, v, m, a, wide, flanks, gaussian, t, along, across, u_tilt, u_azimuth, u_side):
+    """The formula's facet, in the script's order."""
+    x = sampler.facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse_of(t, along, across))
     return list(vars(fields_of(x)).values())
 
 
-def drawings(count=160):
-    """What facets are drawn with, by either distribution."""
-    cosine, azimuth, polar, turn, m, width, *numbers = spread(
-        count, (0.05, 1.0), (0.0, 6.0), (-1.0, 1.0), (0.0, 6.0), (0.2, 0.9), (0.0, 0.8),
+def drawings(longest=3.0, count=160):
+    """What facets are drawn with, by either distribution; some of them exactly, some stretched."""
+    cosine, azimuth, polar, turn, m, width, stretch, *numbers = spread(
+        count, (0.05, 1.0), (0.0, 6.0), (-1.0, 1.0), (0.0, 6.0), (0.2, 0.9), (0.0, 0.8), (1.0, longest),
         (0.02, 0.98), UNIT, (0.02, 0.98))
     n = about(np.broadcast_to([0.0, 0.0, 1.0], (count, 3)), polar, turn)
     every_third_exact = width * (np.arange(count) % 3 > 0)
     gaussian = (np.arange(count) // 3 % 2).astype(float)
-    a, wide = single(sampling.narrow_slope(m, every_third_exact), sampling.wide_slope(m, every_third_exact))
-    return [n, about(n, cosine, azimuth), m, a, wide, single(0.5 * (a > 0.0)), gaussian, *numbers]
+    along = single(np.where(np.arange(count) % 2 > 0, np.minimum(stretch, 1.0 / m), 1.0))
+    a, wide = single(sampling.narrow_slope(m * along, every_third_exact) / along,
+                     sampling.wide_slope(m * along, every_third_exact) / along)
+    return [n, about(n, cosine, azimuth), m, a, wide, single(0.5 * (a > 0.0)), gaussian,
+            single(tangent_in_the_scripts(n)), along, single(1.0 / along), *numbers]
 
 
-def seen_facets():
+def seen_facets(longest=3.0):
     """Facets that mirror V above the horizon as the script keeps them, and the slopes m that they were drawn with."""
-    drawn = drawings()
-    x = sampler.facet(*drawn)
+    *first, t, along, across, u_tilt, u_azimuth, u_side = drawings(longest)
+    x = sampler.facet(*first, u_tilt, u_azimuth, u_side, ellipse_of(t, along, across))
     above = (x.n_l > 0.01) & (x.density > 0.0)
     kept = {name: values[above] for name, values in vars(fields_of(x)).items()}
-    return single(SimpleNamespace(**kept)), drawn[2][above]
+    return single(SimpleNamespace(**kept)), first[2][above]
 
 
 def read(x):
@@ -76,10 +85,49 @@ def read(x):
     return SimpleNamespace(**vars(x), level=x.v_h / x.n_h, flat=1.0 / np.sqrt(x.peak))
 
 
-def tilted(drawn, weighed, m, is_gaussian):
+def lobes_to_stretch():
+    """Facets with the lobes that were drawn round, and what these are stretched with."""
+    x, _ = seen_facets()
+    count = len(x.n_h)
+    turn, along, across, outwards, cosine, x.a_across, x.a_along, askew = spread(
+        count, (0.0, 6.0), (1.0, 3.0), (0.3, 1.0), (0.5, 2.0), (0.3, 1.0), (0.05, 0.2), (0.2, 0.5), (0.0, 6.0))
+    x.across, t = (single(np.stack([np.cos(angle), np.sin(angle), 0.0 * angle], axis=-1)) for angle in (askew, turn))
+    n = np.broadcast_to([0.0, 0.0, 1.0], (count, 3))
+    return [x, single(n), t, along, across, outwards, cosine, cosine]
+
+
+def stretched(x, n, t, along, across, outwards, cos_drawn, to_angle):
+    """The formula's, in the script's order."""
+    x = SimpleNamespace(**vars(x))
+    sampler._stretch_lobe(x, n, outwards, cos_drawn, to_angle, ellipse_of(t, along, across))
+    return [getattr(x, name) for name in FIELDS]
+
+
+def unit_tangent(n, towards, turns):
+    """The unit tangent next to a direction, turned."""
+    return rotate(frame_along(n, towards)[0], n, 2.0 * PI * turns)
+
+
+def towards_and_turns(count=60):
+    """Normals, directions that are not along them, and turns."""
+    cosine, azimuth, height, turn, turns = spread(count, (-0.6, 0.6), (0.0, 6.0), (-1.0, 1.0), (0.0, 6.0), UNIT)
+    n = about(np.broadcast_to([0.0, 0.0, 1.0], (count, 3)), height, turn)
+    return [n, about(n, cosine, azimuth), turns]
+
+
+def scale_of(slope_t, slope_b, is_gaussian, published, printed_c):
+    """As the script has it, of both slopes."""
+    m, stretch = np.sqrt(slope_t * slope_b), np.sqrt(slope_t / slope_b)
+    return sampler.scales(m, is_gaussian, published, printed_c, ellipse_of(None, stretch, 1.0 / stretch))[0]
+
+
+M_OF_TILTED = 0.3
+
+
+def tilted(drawn, weighed, _c_m2, is_gaussian):
     """Tilt and density of drawn facets, of either distribution, in the script's order."""
     of_beckmann = sampler._beckmann(drawn * drawn, drawn, weighed * weighed)
-    of_gaussian = sampler._gaussian(drawn, weighed * weighed, m)
+    of_gaussian = sampler._gaussian(drawn, weighed * weighed, M_OF_TILTED)
     chosen = [np.where(is_gaussian > 0.5, g, b) for g, b in zip(of_gaussian, of_beckmann)]
     tangent_drawn, cos_drawn, tangent, n_h, flat, density, _to_angle = chosen
     return tangent_drawn, cos_drawn, tangent, n_h, 1.0 / flat ** 2, density
@@ -125,7 +173,7 @@ def normals(count=60):
 
 
 def native_lobes_cases():
-    x, m = seen_facets()
+    x, m = seen_facets(longest=1.0)
     return [x, m, single(sampler.native_lobe(x.n_v, m)[1])]
 
 
@@ -146,15 +194,21 @@ FORMULAS = {
     "angle_of(float)": (arccos, grid((-1.0, -0.7, -0.1, 0.0, 0.001, 0.3, *COSINES))),
     "beckmann(float, float)": (slopes.beckmann, grid(COSINES, SLOPES)),
     "gaussian(float, float, float)": (slopes.gaussian, grid(COSINES, SLOPES, (0.5, 3.0, 25.0))),
-    "gaussian_c(float)": (slopes.gaussian_c, grid(SLOPES)),
     "v_cavity(float, float, float, float)": (
         masking.v_cavity, grid((0.1, 0.6, 0.9, 1.0), (0.05, 0.3, 0.9), (-0.2, 0.05, 0.3, 0.9), (0.2, 0.6, 1.0))),
     "fresnel(float, float, float)": (
         fresnel.conductor, grid(COSINES, (0.15, 1.0001, 1.5, 3.0), (0.0, 0.7, 2.0, 4.0))),
     "fresnel(float, vector, vector)": (
         lambda c, n, k: fresnel.conductor(column(c), n, k), [*spread(60, UNIT), *metals(60)]),
-    "scale_of(float, int, float, float)": (
-        lambda *arguments: sampler.scales(*arguments)[0], grid(SLOPES, UNIT, (0.0, 0.5, 1.0), (1.0, 3.0))),
+    "along_across(float, float, output float, output float)": (slopes.along_across, grid(SLOPES, (0.0, 0.5, 0.95))),
+    "gaussian_c(float, float)": (slopes.elliptic_gaussian_c, grid(SLOPES, (0.05, 0.1, 0.5))),
+    "tinted(float, float, float, output float, output float)": (
+        fresnel.tinted, grid((0.2, 0.9, 1.5, 3.0), (0.0, 1.0, 2.0, 4.0), (0.0, 0.3, 0.9, 1.0))),
+    "v_cavity_lobe(float, float, output float, output float)": (
+        v_cavity_lobe, grid((0.0, 0.3, 0.7, 0.9, 1.0), SLOPES)),
+    "unit_tangent(vector, vector, float)": (unit_tangent, towards_and_turns()),
+    "scale_of(float, float, int, float, float)": (
+        scale_of, grid(SLOPES, (0.2, 0.5), UNIT, (0.0, 0.5, 1.0), (1.0, 3.0))),
     "smith_lambda(float, float)": (masking.smith_lambda, grid(COSINES, SLOPES)),
     "smith(float, float, float)": (masking.smith_beckmann, grid(COSINES, COSINES, (0.1, 0.4, 0.9))),
     "native_slope(float)": (sampler.native_slope, grid(SLOPES)),
@@ -171,8 +225,11 @@ FORMULAS = {
     "towards_flanks(float, float, output float, output float)": (
         sampling.towards_flanks, grid((0.0, 0.1, 0.5, 0.9, 0.99), (0.0, 0.5, 0.8))),
     "tilted(float, float, float, int, output float, output float, output float, output float, output float, "
-    "output float)": (tilted, grid((0.001, 0.1, 0.5, 1.2), (0.01, 0.15, 0.6, 1.4), (0.1, 0.5, 0.9), UNIT)),
-    "facet(vector, vector, float, float, float, float, int, float, float, float)": (facet, drawings()),
+    "output float)": (tilted, grid((0.001, 0.1, 0.5, 1.2), (0.01, 0.15, 0.6, 1.4),
+                                   (slopes.gaussian_c(M_OF_TILTED) * M_OF_TILTED ** 2,), UNIT)),
+    "stretched(Facet, vector, vector, float, float, float, float, float)": (stretched, lobes_to_stretch()),
+    "facet(vector, vector, float, float, float, float, int, vector, float, float, float, float, float)": (
+        facet, drawings()),
     "sharpened_v_cavity(Facet)": (lambda x: sampler.sharpened_v_cavity(read(x)), seen_facets()[:1]),
     "native_over_D(Facet, float, float)": (
         lambda x, m, lean: sampler.native_over_d(read(x), m, lean), native_lobes_cases()),

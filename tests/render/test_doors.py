@@ -14,6 +14,7 @@ from addon.blender.operators import targets
 from addon.blender.operators.apply_to_node import write_preset
 from addon.blender.operators.user_presets import material_of, preset_from, preset_text
 from addon.errors import FacetFilmError
+from tests.render import probes
 
 BY_F82 = "cook_torrance_fast_f82" if compat.conductor_formula() == "blender-4.5" else "cook_torrance_fast"
 """What renders vinyl by Fast here: 4.5's conductor misses it by 7.8 CIEDE2000."""
@@ -179,6 +180,32 @@ def test_linked_materials_are_refused_and_stay(tmp_path):
         with pytest.raises(FacetFilmError, match="linked from another file: make it local"):
             work()
     assert api.record_of(linked) == before and not [one for one in bpy.data.materials if not one.library]
+
+
+@pytest.mark.parametrize("way", ["linked", "overridden"])
+def test_make_local_is_the_way_out(way, tmp_path):
+    bpy.data.libraries.write(str(tmp_path / "a.blend"), {api.create_material(preset="copper")})
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    with bpy.data.libraries.load(str(tmp_path / "a.blend"), link=True) as (_, target):
+        target.materials = ["Copper"]
+    ball = probes.add_sphere(target.materials[0], segments=8)
+    bpy.context.view_layer.objects.active = ball
+    if way == "overridden":
+        ball.active_material = target.materials[0].override_create()
+    addon.register()
+    try:
+        with pytest.raises(FacetFilmError, match="make it local"):
+            api.rebake(ball.active_material)
+        assert bpy.ops.facet_film.make_local() == {"FINISHED"}
+        own = ball.active_material
+        assert own.library is None and own.override_library is None
+        api.switch_realisation(own, "exact")
+        api.rebake(own, {"illuminant": "A"})
+        assert materials.baked_of(own)["illuminant"] == "A" and materials.realisation_of(own) == "exact"
+        with pytest.raises(RuntimeError, match="own already"):
+            bpy.ops.facet_film.make_local()
+    finally:
+        addon.unregister()
 
 
 def test_a_foreign_material_is_refused():

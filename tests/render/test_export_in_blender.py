@@ -1,15 +1,14 @@
-"""Exports held against what Blender brings: the MaterialX module, the Principled BSDF, the glTF exporter."""
+"""Exports held against what Blender brings: the MaterialX module, its libraries and its code generation."""
 
 import importlib
-import json
 import re
+import shutil
+import subprocess
 import sys
 
 import bpy
 import pytest
 
-from addon.bake import bake
-from addon.blender.datablocks.principled import principled_material
 from addon.catalogue import presets
 from addon.models import named
 from addon.models.making import exported, made
@@ -40,9 +39,10 @@ def validated(mx, text):
 @pytest.mark.parametrize("space", ["Rec.709", "Rec.2020", "ACEScg"])
 def test_materialx_validates(mx, name, space):
     document = validated(mx, exported(made(preset=name, viewing={"space": space}), "materialx"))
-    assert len(document.getMaterialNodes()) == 2
+    assert len(document.getMaterialNodes()) == 3
     nodes = document.getNodes()
-    assert {"conductor_bsdf", "generalized_schlick_bsdf", "surface"} <= {node.getCategory() for node in nodes}
+    used = {node.getCategory() for node in nodes}
+    assert {"conductor_bsdf", "generalized_schlick_bsdf", "surface", "open_pbr_surface"} <= used
     for node in nodes:
         definition = node.getNodeDef()
         assert definition is not None, f"{node.getName()} is no node that MaterialX knows"
@@ -64,51 +64,54 @@ def test_a_faulty_document_does_not_validate(mx):
         validated(mx, faulty)
 
 
-@pytest.fixture
-def empty_file():
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+FIVE = {"copper": {}, "kapton": {}, "green_glass": {}, "soap_bubble": {}, "anodised_titanium": {"thickness": 40.0},
+        "gold": {"anisotropy": 0.5, "rotation": 0.25, "tint": (0.9, 0.8, 0.7), "viewing": {"space": "Rec.2020"}}}
+NUMBERS = re.compile(r"uniform (?:float|vec2|vec3) (\w+) = (?:vec\d\()?([^;)]+)\)?;")
 
 
-@pytest.mark.parametrize("name", ["copper", "vinyl", "rubber"])
-def test_the_principled_material_has_the_settings(name, empty_file):
-    record = made(preset=name)
-    material = principled_material(record)
-    assert material.name == record.title
-    nodes = {node.bl_idname: node for node in material.node_tree.nodes}
-    shader = nodes["ShaderNodeBsdfPrincipled"]
-    assert nodes["ShaderNodeOutputMaterial"].inputs["Surface"].links[0].from_node == shader
-    sockets = {socket.identifier: socket.default_value for socket in shader.inputs}
-    for identifier, value in named(record.model).principled(record).items():
-        found = tuple(sockets[identifier]) if isinstance(value, tuple) else sockets[identifier]
-        assert found == pytest.approx(value, abs=1e-6)
-    assert json.loads(material["facet_film"])["baked"]["source"]["dataset"] == bake(name).source.dataset
+@pytest.fixture(scope="module", params=FIVE)
+def generated(mx, request):
+    """(document, {material's name: the GLSL that MaterialX generates of it}) of a material."""
+    shader = importlib.import_module("MaterialX.PyMaterialXGenShader")
+    glsl = importlib.import_module("MaterialX.PyMaterialXGenGlsl")
+    document = validated(mx, exported(made(preset=request.param, **FIVE[request.param]), "materialx"))
+    generator = glsl.GlslShaderGenerator.create()
+    context = shader.GenContext(generator)
+    context.registerSourceCodeSearchPath(mx.getDefaultDataSearchPath())
+    management = shader.DefaultColorManagementSystem.create(generator.getTarget())
+    management.loadLibrary(document)
+    generator.setColorManagementSystem(management)
+    sources = {}
+    for element in shader.findRenderableElements(document):
+        made_of = generator.generate(element.getName(), element, context)
+        sources[element.getName()] = made_of.getSourceCode("pixel")
+    return document, sources
 
 
-def test_gltf_takes_it(empty_file, tmp_path):
-    import addon_utils
-    addon_utils.enable("io_scene_gltf2")
-    baked, record = bake("gold"), made(preset="gold")
-    bpy.ops.mesh.primitive_cube_add()
-    bpy.context.object.data.materials.append(principled_material(record, "Ours"))
-    bpy.ops.export_scene.gltf(filepath=str(tmp_path / "a.gltf"), export_format="GLTF_SEPARATE")
-    exported = json.loads((tmp_path / "a.gltf").read_text())["materials"][0]
-    assert exported["name"] == "Ours"
-    metallic = exported["pbrMetallicRoughness"]
-    assert metallic["baseColorFactor"][:3] == pytest.approx(baked.f82.f0, abs=1e-5)
-    assert metallic.get("metallicFactor", 1.0) == pytest.approx(1.0)
-    assert metallic["roughnessFactor"] == pytest.approx(named(record.model).principled(record)["Roughness"], abs=1e-5)
-    tint = exported["extensions"]["KHR_materials_specular"]["specularColorFactor"]
-    assert tint == pytest.approx(baked.f82.tint, abs=1e-5)
+def test_materialx_makes_shaders_with_our_numbers(generated):
+    """Each number of the document stands in the shader that MaterialX's own code generation makes of it."""
+    document, sources = generated
+    assert sources
+    held = {name: [float(x) for x in values.split(",")] for source in sources.values()
+            for name, values in NUMBERS.findall(source)}
+    told = {f"{node.getName()}_{one.getName()}": one.getValueString().split(",") for node in document.getNodes()
+            for one in node.getInputs() if one.getType() in ("float", "vector2", "color3") and one.getValueString()}
+    compared = {name for name in told if name in held} | {
+        name for name, values in told.items() if any(
+            held_name.endswith(name.split("_surface_")[-1]) and held_values == pytest.approx(list(map(float, values)))
+            for held_name, held_values in held.items())}
+    assert compared >= {name for name in told if "thin_film" not in name}, set(told) - compared
+    for name in told:
+        if name in held:
+            assert held[name] == pytest.approx([float(x) for x in told[name]], abs=1e-5), name
 
 
-def test_usd_takes_it(empty_file, tmp_path):
-    baked, record = bake("gold"), made(preset="gold")
-    bpy.ops.mesh.primitive_cube_add()
-    bpy.context.object.data.materials.append(principled_material(record, "Ours"))
-    path = tmp_path / "a.usda"
-    bpy.ops.wm.usd_export(filepath=str(path), generate_preview_surface=True)
-    values = dict(re.findall(r"inputs:(\w+) = (.+)", path.read_text()))
-    assert float(values["metallic"]) == 1.0
-    assert float(values["roughness"]) == pytest.approx(named(record.model).principled(record)["Roughness"], abs=1e-5)
-    diffuse = [float(number) for number in values["diffuseColor"].strip("()").split(",")]
-    assert diffuse == pytest.approx(baked.f82.f0, abs=1e-5)
+def test_what_materialx_generates_compiles(generated, tmp_path):
+    compiler = shutil.which("glslangValidator")
+    if compiler is None:
+        pytest.skip("glslangValidator, of the package glslang-tools, is not installed: nothing compiles GLSL here")
+    for name, source in generated[1].items():
+        file = tmp_path / f"{name}.frag"
+        file.write_text(source)
+        done = subprocess.run([compiler, str(file)], capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout[-800:]

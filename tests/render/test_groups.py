@@ -94,7 +94,7 @@ def test_every_kind_of_node_in_our_groups_is_known_to_the_fingerprint():
 def test_the_fingerprint_sees_the_interface_and_settings(change):
     tree = groups.build_group("cook_torrance_fast")
     before = fingerprints.fingerprint(tree)
-    change(tree, next(item for item in tree.interface.items_tree if item.name == "Slope 1"))
+    change(tree, next(item for item in tree.interface.items_tree if item.name == "Roughness"))
     assert fingerprints.fingerprint(tree) != before
 
 

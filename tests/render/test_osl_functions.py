@@ -63,7 +63,7 @@ def test_only_closures_and_random_numbers_are_let_off(script):
 
 
 @pytest.mark.parametrize("script, key, right, wrong", [
-    (osl_cook_torrance, "gaussian_c(float)", "-0.66751", "-0.66761"),
+    (osl_cook_torrance, "gaussian_c(float, float)", "-0.66751", "-0.66761"),
     (osl_cook_torrance, "sharpened_v_cavity(Facet)", "1.69 * change", "1.68 * change"),
     (osl_layered_rgb, "f_normal(float)", "(r1 - 1.0) * (r1 - 1.0)", "(r1 - 1.0)"),
     (osl_layered_rgb, "peak_of(Plane, output float, output float)", "step = 0.62 * sigma", "step = 0.61 * sigma"),

@@ -14,8 +14,8 @@ from addon.blender import registration
 from addon.blender.datablocks import groups, menu
 from addon.blender.operators import bake
 from addon.blender.translations import LANGUAGES
-from addon.catalogue.kinds import KINDS
 from addon.errors import FacetFilmError
+from addon.export.standin import LOST
 from addon.models import all_models
 from addon.spectra.illuminants import TITLES
 
@@ -35,8 +35,9 @@ NOT_SHOWN = {
 """Sentences of addon/blender that nobody sees in the interface."""
 SENTENCE = re.compile(r"[A-Za-z]{2,} +[A-Za-z&]+ +[A-Za-z]{2,}")
 LEFT_AS_THEY_ARE = {"Facet & Film", "n", "k", "F0", "Rec.709", "Rec.2020", "ACEScg", "Cook–Torrance", "Layered RGB",
-                    "OSL", "JSON", "MaterialX", "CPU", "GPU", "Linear Rec.2020", "CIE 1931, 2°", "CIE 1964, 10°",
-                    "conductor_bsdf and generalized_schlick_bsdf"}
+                    "OSL", "UV", "JSON", "MaterialX", "CPU", "GPU", "Linear Rec.2020", "CIE 1931, 2°", "CIE 1964, 10°",
+                    "conductor_bsdf, generalized_schlick_bsdf and open_pbr_surface",
+                    "open_pbr_surface", "open_pbr_surface and a conductor_bsdf with a thin film"}
 """Names, units and formats that are the same in every language."""
 FILES = sorted(file for file in ROOM.rglob("*.py") if file.parent.name != "translations")
 NOT_OURS = {"rna_type", "name", "remove_name", "remove_active"}
@@ -84,7 +85,7 @@ def errors_of_artists():
     returned = {node.value.value for node in ast.walk(tree_of(ADDON / "nodes" / "osl_compiler.py"))
                 if isinstance(node, ast.Return) and isinstance(node.value, ast.Constant)}
     sentences = {sentence.value for _, sentence in raised() if isinstance(sentence, ast.Constant)}
-    return {" or ", "preset"} | returned | sentences
+    return {" or ", "finish", "preset"} | returned | sentences
 
 
 def tree_of(file):
@@ -101,17 +102,18 @@ def raised():
 
 
 def names_of_sockets():
-    """What the panel calls the parameters, as the groups do."""
+    """What the panel calls the parameters, as the groups do, and the closed panels that some of them are in."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    panels = {socket.panel for model in all_models() for row in model.parameters.TABLE for socket in row.sockets()}
     return {name for group in groups.all_groups() if not group.osl
-            for name in groups.input_names(groups.node_group(group.identifier))}
+            for name in groups.input_names(groups.node_group(group.identifier))} | panels - {""}
 
 
 def texts_of_models():
     """What menus and lists show of models, presets' kinds, and forms."""
     of_groups = {text for part in menu.parts() for _, name, summary in part for text in (name, summary)}
     of_forms = {text for model in all_models() for form in model.forms.values() for text in (form.title, form.tip)}
-    return of_groups | of_forms | set(KINDS.values())
+    return of_groups | of_forms | set(LOST.values())
 
 
 @pytest.fixture(scope="module")

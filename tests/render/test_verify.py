@@ -7,11 +7,13 @@ differs from its formula by a little.
 import json
 import math
 
+import numpy as np
 import pytest
 
 from addon import models
 from addon.cli import main
-from addon.verify import report, running
+from addon.errors import FacetFilmError
+from addon.verify import report, running, scenes
 from addon.verify.checks import Check, Figure, Outcome
 
 CHECKS, LEFT_OUT = running.checks()
@@ -29,6 +31,7 @@ BROKEN = {
     ("cook_torrance", "furnace, Gaussian"): {"gaussian_c": 2.05},
     ("cook_torrance", "sphere under a soft sun"): {"slopes": ((0.5, 0.4), (0.2, 0.6))},
     ("cook_torrance", "sphere under an area lamp"): {"slopes": ((0.5, 0.4), (0.2, 0.6))},
+    ("cook_torrance", "anisotropic"): {"anisotropy": 0.3},
     ("cook_torrance", "default width"): {"slopes": ((0.4, 0.36), (0.2, 0.54))},
     ("layered_rgb", "furnace, parallel boundaries over"): {"diffuse": 0.68},
     ("layered_rgb", "furnace, parallel"): {"thickness": 75.0},
@@ -48,12 +51,21 @@ BROKEN = {
     ("clear", "slab"): {"absorption": (33.0, 132.0, 330.0)},
     ("clear", "thin wall"): {"ior": 1.7},
     ("clear", "see-through shadow"): {"ior": 1.7},
+    ("clear", "shadow of a ball"): {"tint": (0.9, 0.9, 0.9)},
     ("data", "fits"): {"worse_by": 5.0},
     ("data", "colours of copper"): {"preset": "main/Cu/McPeak"},
     ("data", "colours of gold"): {"preset": "gold_johnson"},
     ("data", "colours of aluminium"): {"preset": "silver"},
     ("data", "colours of titanium"): {"preset": "chromium"},
 }
+
+
+def test_a_configuration_that_cannot_be_checked_is_said_in_a_sentence(monkeypatch):
+    monkeypatch.setattr(scenes, "TOLD", (0.25, 0.5, 0.8))  # as a configuration would bring it back
+    scenes.require_readable()
+    monkeypatch.setattr(scenes, "render", lambda _scene: np.full((2, 2, 3), 0.5))
+    with pytest.raises(FacetFilmError, match="do not come back .* use one that has a role for data"):
+        scenes.require_readable()
 
 
 def broken(check):

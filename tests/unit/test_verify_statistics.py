@@ -7,6 +7,7 @@ import pytest
 from PIL import Image
 from scipy import stats
 
+from addon.export.png import png
 from addon.verify import pictures
 from addon.verify.checks import Picture
 from addon.verify.statistics import student_t_limit, z_test
@@ -32,7 +33,7 @@ def test_z_test_notices_one_value_that_is_off():
 
 def test_pictures_are_png():
     pixels = np.random.default_rng(1).integers(0, 256, (5, 7, 3), np.uint8)
-    assert np.array_equal(np.array(Image.open(io.BytesIO(pictures.png(pixels)))), pixels)
+    assert np.array_equal(np.array(Image.open(io.BytesIO(png(pixels)))), pixels)
 
 
 def test_strip_shows_reference_render_and_difference():

@@ -5,13 +5,15 @@ from pathlib import Path
 
 import bpy
 
-from ... import models
+from ... import finishes, models
 from ...models.realisations import REALISATIONS
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
+from .locked import is_editable
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
-           "input_names", "library_file", "mark", "model_of_group", "node_group", "socket_named"]
+           "input_names", "is_bringing", "library_file", "mark", "merge_groups", "model_of_group", "node_group",
+           "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
 """The groups as tools/build_groups.py built them, a file for each: appending one takes milliseconds, building one
@@ -23,10 +25,19 @@ FINGERPRINT_KEY = "facet_film_fingerprint_2"
 FINGERPRINT_KEY_0_1_0 = "facet_film_fingerprint"
 
 
+_bringing = []
+
+
+def is_bringing():
+    """Whether a group is being brought in from our own library, and nobody has appended anything."""
+    return bool(_bringing)
+
+
 @functools.lru_cache(maxsize=1)
 def _owners():
-    """{group's id: (Model, Group)} of all models."""
-    return {group.identifier: (model, group) for model in models.all_models() for group in model.groups}
+    """{group's id: (Model, Group)} of all models, and of the finishes, which belong to no Model."""
+    found = {group.identifier: (model, group) for model in models.all_models() for group in model.groups}
+    return {**found, **{group.identifier: (None, group) for group in finishes.GROUPS}}
 
 
 def forget():
@@ -35,7 +46,7 @@ def forget():
 
 
 def all_groups():
-    """Every Group of every model."""
+    """Every Group of every model, and those of the finishes."""
     return [group for _, group in _owners().values()]
 
 
@@ -45,7 +56,7 @@ def group_of(identifier):
 
 
 def model_of_group(identifier):
-    """The Model that a group's id belongs to, or None."""
+    """The Model that a group's id belongs to, or None; the groups of finishes belong to none."""
     return _owners()[identifier][0] if identifier in _owners() else None
 
 
@@ -95,6 +106,20 @@ def _merged(trees, group, image):
     return first
 
 
+def merge_groups(trees=None):
+    """Make one of equal groups of ours, among these trees or all of the file: what comes in brings its own."""
+    found = bpy.data.node_groups if trees is None else trees
+    ours = {(tree[ID_KEY], image_in(tree)) for tree in found if _is_current(tree)}
+    for identifier, image in ours:
+        if sum(tree.get(ID_KEY) == identifier for tree in bpy.data.node_groups) > 1:
+            node_group(identifier, image)
+
+
+def _is_current(tree):
+    group = group_of(tree.get(ID_KEY))
+    return group is not None and is_editable(tree) and tree.get(VERSION_KEY) == group.version
+
+
 def edited(tree):
     """Whether someone changed one of our groups since it was made."""
     if FINGERPRINT_KEY in tree:
@@ -107,7 +132,10 @@ def build_group(identifier):
     from ...nodes.builder import GroupBuilder
     model, group = _owners()[identifier]
     builder = GroupBuilder(group.name)
-    model.build(identifier, builder)
+    if model is None:
+        finishes.build(group, builder)
+    else:
+        model.build(identifier, builder)
     return builder.finish()
 
 
@@ -122,8 +150,12 @@ def _from_library(group):
     if not file.exists():
         return None
     before = set(bpy.data.libraries)
-    with bpy.data.libraries.load(str(file), link=False) as (_, target):
-        target.node_groups = [group.name]
+    _bringing.append(group)
+    try:
+        with bpy.data.libraries.load(str(file), link=False) as (_, target):
+            target.node_groups = [group.name]
+    finally:
+        _bringing.pop()
     for library in set(bpy.data.libraries) - before:
         bpy.data.libraries.remove(library)  # appending leaves an entry from which nothing is linked
     return target.node_groups[0]

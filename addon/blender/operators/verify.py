@@ -35,6 +35,18 @@ def report_path():
     return Path(folder) / REPORT
 
 
+class Log:
+    """The file that the second Blender writes what it says into: the timer reads it, and no thread has to wait."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def lines(self):
+        """What was said so far; a line that is not whole yet is left for later."""
+        whole, _, _ = self.path.read_text(encoding="utf-8", errors="replace").rpartition("\n")
+        return [line.strip() for line in whole.splitlines() if line.strip()]
+
+
 class FACET_FILM_OT_verify(bpy.types.Operator):
     """Render every model and realisation in a second Blender, compare the pixels with the published formulas, \
 and open the report. Takes one to five minutes; Esc stops it"""
@@ -63,26 +75,21 @@ and open the report. Takes one to five minutes; Esc stops it"""
     def execute(self, _context):
         """From a script: wait for the result."""
         try:
-            process, path = self._start()
+            self._process, self._path, self._log = self._start()
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
-        output, _ = process.communicate()
-        return self._tell(process.returncode, output.splitlines(), path)
+        self._process.wait()
+        return self._tell(self._process.returncode, self._log.lines(), self._path)
 
     def invoke(self, context, _event):
         """From a button: watch the second Blender while the user goes on."""
         try:
-            self._process, self._path = self._start()
+            self._process, self._path, self._log = self._start()
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
-        import queue
-        import threading
         _state.update(process=self._process, line=rpt_("Verifying: starting a second Blender …"))
-        self._lines, self._said = queue.Queue(), []
-        self._reader = threading.Thread(target=self._read, daemon=True)
-        self._reader.start()
         self._timer = context.window_manager.event_timer_add(LOOK_EVERY, window=context.window)
         context.window_manager.modal_handler_add(self)
         self._show(context)
@@ -98,15 +105,15 @@ and open the report. Takes one to five minutes; Esc stops it"""
             return {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
-        finished = not self._reader.is_alive() and self._process.poll() is not None
-        while not self._lines.empty():
-            self._said.append(self._lines.get())
-            _state["line"] = rpt_("Verifying {:s}").format(self._said[-1])
+        finished = self._process.poll() is not None
+        said = self._log.lines()
+        if said:
+            _state["line"] = rpt_("Verifying {:s}").format(said[-1])
         self._show(context)
         if not finished:
             return {"PASS_THROUGH"}
         self._end(context)
-        return self._tell(self._process.returncode, self._said, self._path)
+        return self._tell(self._process.returncode, self._log.lines(), self._path)
 
     def cancel(self, context):
         """Blender closes the window or file: end the second one too."""
@@ -115,16 +122,13 @@ and open the report. Takes one to five minutes; Esc stops it"""
 
     def _start(self):
         import subprocess  # here, as enabling the extension waits for what stands at the top
-        path = report_path()
+        path, log = report_path(), Log(Path(bpy.app.tempdir) / "facet_film_verification.txt")
         try:
-            return subprocess.Popen(command(path, self.device), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                    stderr=subprocess.STDOUT, text=True, encoding="utf-8", errors="replace"), path
+            with open(log.path, "wb") as said:
+                return subprocess.Popen(command(path, self.device), stdin=subprocess.DEVNULL, stdout=said,
+                                        stderr=subprocess.STDOUT), path, log
         except OSError as error:
             raise FacetFilmError("A second Blender could not be started: {why}", why=error.strerror or error) from None
-
-    def _read(self):
-        for line in self._process.stdout:
-            self._lines.put(line.strip())
 
     def _show(self, context):
         context.workspace.status_text_set(progress() + rpt_("   (Esc stops)"))

@@ -7,7 +7,7 @@ from bpy.app.translations import pgettext_iface as iface_
 
 from ..datablocks.groups import group_id, model_of_group
 
-__all__ = ["draw_facts", "draw_parameters", "draw_sentence"]
+__all__ = ["draw_facts", "draw_parameters", "draw_sentence", "draw_socket"]
 
 PIXELS_A_LETTER = 6.5
 
@@ -39,37 +39,50 @@ def draw_facts(layout, facts, region=None):
             row.label(text=line, translate=False)
 
 
-def units_of(tree):
-    """{socket: its unit} of one of our groups, for those that Blender does not show by itself, as it does
-    for angles.
-    """
+def described(tree):
+    """{socket's name: its addon.models.parameters.Socket} of one of our groups."""
     identifier = group_id(tree)
     model = model_of_group(identifier)
-    return _units(model, identifier) if model else {}
+    return _described(model, identifier) if model else {}
 
 
 @functools.cache
-def _units(model, identifier):
+def _described(model, identifier):
     fed = "" if model.realisation_of(identifier) else identifier
-    return {socket.name: socket.unit for row in model.parameters.TABLE if row.group == fed
-            for socket in row.sockets() if socket.unit}
+    return {socket.name: socket for row in model.parameters.TABLE if row.group == fed for socket in row.sockets()}
 
 
 def draw_parameters(layout, node):
-    """The sockets of a group node with their units, each with the button that plugs a node in."""
+    """The sockets of a group node, each with its unit and the button that plugs a node in; some in closed panels."""
     layout.use_property_split = True
     layout.use_property_decorate = False
-    column = layout.column()
-    units = units_of(node.node_tree)
+    bodies = {"": layout.column()}
+    known = described(node.node_tree)
     for socket in node.inputs:
         if socket.hide_value or not hasattr(socket, "default_value"):
             continue
-        unit = units.get(socket.name)
-        shown = iface_(socket.name) + (f" ({unit})" if unit else "")
-        row = column.row(align=True)
-        if socket.is_linked:
-            row.label(text=f"{shown}: {socket.links[0].from_node.label or socket.links[0].from_node.name}",
-                      icon="LINKED", translate=False)
-        else:
-            row.prop(socket, "default_value", text=shown, translate=False)
-        row.template_node_link(node.id_data, node, socket)
+        panel = known[socket.name].panel if socket.name in known else ""
+        if panel not in bodies:
+            bodies[panel] = _closed_panel(layout, node, panel)
+        if bodies[panel] is not None:
+            draw_socket(bodies[panel], node, socket, known.get(socket.name))
+
+
+def _closed_panel(layout, node, title):
+    """The column of a panel within a panel, or None while it is closed."""
+    header, body = layout.panel(f"facet_film_{group_id(node.node_tree)}_{title}", default_closed=True)
+    header.label(text=iface_(title), translate=False)
+    return body
+
+
+def draw_socket(column, node, socket, known):
+    """A socket's value, or what is plugged into it; with its unit, and what else its value means."""
+    shown = iface_(socket.name) + (f" ({known.unit})" if known and known.unit else "")
+    row = column.row(align=True)
+    if socket.is_linked:
+        row.label(text=f"{shown}: {socket.links[0].from_node.label or socket.links[0].from_node.name}",
+                  icon="LINKED", translate=False)
+    else:
+        beside = f" ({known.beside(socket.default_value)})" if known and known.beside else ""
+        row.prop(socket, "default_value", text=shown + beside, translate=False)
+    row.template_node_link(node.id_data, node, socket)

@@ -7,16 +7,32 @@ TEXTS = {
         "   （按 Esc 停止）",
     " or ":
         " 或 ",
+    ". Saved among your presets as {:s}":
+        "。已存入自己的预设：{:s}",
     "0° to 90°":
         "0° 至 90°",
     "; ends held":
         "；两端保持不变",
     "; outside the gamut, mapped by {:s}":
         "；超出色域，映射方式：{:s}",
+    "; the marks of the finish stay in Blender, its roughness is in it":
+        "；表面处理的痕迹留在 Blender 中，其粗糙度已包含",
+    "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
+        "菲涅耳曲线由 0° 到 90° 的角度及各自的三个 0 到 1 的反射率组成，例如 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1'，而不是 {value!r}。",
+    "A button in the headers of the 3D Viewport and of the Shader Editor":
+        "3D 视图和着色器编辑器标题栏中的按钮",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "检查只接受其中之一：n 与 k、带或不带色调的 F0、一种材质。",
+    "A conductor's, by its complex refractive index":
+        "导体的反射，由复折射率给出",
+    "A dielectric's, by its reflectance at normal incidence":
+        "电介质的反射，由垂直入射反射率给出",
     "A file to write is named by its path, not by {path!r}.":
         "要写入的文件须以路径指定，而不是 {path!r}。",
+    "A finish is called by its name, such as 'brushed', not {value!r}.":
+        "表面处理以名称称呼，例如 'brushed'，而不是 {value!r}。",
+    "A finish varies the roughness, which {model} has not: name a material of another model, or no finish.":
+        "表面处理改变粗糙度，而 {model} 没有粗糙度：请选择其他模型的材质，或不用表面处理。",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "材质须为预设名称或数据集标识，而不是 {value!r}。",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
@@ -35,12 +51,18 @@ TEXTS = {
         "层堆是形如 'SiO2 0-1000 nm / Si' 的文本，由外向内书写，而不是 {value!r}。",
     "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
         "{films} 层薄膜的层堆有 {indices} 个折射率：外部、各薄膜和基底；给出了 {given} 个。",
+    "A tab in the sidebar of the 3D Viewport":
+        "3D 视图侧边栏中的标签",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
+    "A thickness that varies becomes its middle.":
+        "变化的厚度取其中间值。",
     "A verification is running":
         "验证正在运行",
     "Absorption":
         "吸收",
+    "Active Slot":
+        "活动槽",
     "Adapt White":
         "适应白点",
     "Add Asset Library":
@@ -49,24 +71,38 @@ TEXTS = {
         "添加 Facet & Film 节点组",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "添加 Facet & Film 节点组；文件中已有的会被复用",
-    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
-        "将材质与节点组作为库添加到资产浏览器（偏好设置，文件路径）",
+    "Add the materials and node groups to the Asset Browser, as a library of your preferences":
+        "将材质和节点组作为偏好设置中的资产库添加到资产浏览器",
+    "All Slots":
+        "所有槽",
     "All materials of Facet & Film in this file are in its working space":
         "此文件中所有 Facet & Film 材质均已处于其工作色彩空间",
-    "Alloys":
-        "合金",
+    "Amount":
+        "数量",
+    "An even sheen without marks":
+        "均匀的光泽，没有痕迹",
+    "An even, fine grain, for Roughness and Normal":
+        "均匀细腻的颗粒，用于粗糙度和法线",
+    "Anisotropy":
+        "各向异性",
     "Another Version":
         "其他版本",
     "Apply":
         "应用",
+    "Apply Finish":
+        "应用表面处理",
+    "Apply Material":
+        "应用材质",
     "Apply Saved Preset":
         "应用已保存的预设",
     "Apply a material of Facet & Film first: there is nothing to save":
         "请先应用 Facet & Film 材质：没有可保存的内容",
     "Apply to Node":
         "应用到节点",
-    "Asset Library":
-        "资产库",
+    "As published beside it":
+        "同文中发表的另一种",
+    "As smooth or rough as the preset says":
+        "光滑或粗糙程度由预设决定",
     "At 0°":
         "0° 处",
     "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
@@ -85,12 +121,14 @@ TEXTS = {
         "在 {place!r} 处：外部材料写在一条竖线之前，此处有多条竖线。",
     "At {place!r}: {why}":
         "在 {place!r} 处：{why}",
+    "Axis":
+        "轴",
     "Azimuth":
         "方位角",
     "Bake Spectral Preset":
         "烘焙光谱预设",
-    "Bake a material into the active material slot of the active object, and put it on the other selected ones":
-        "将材质烘焙到活动物体的活动材质槽，并赋予其他选中的物体",
+    "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
+        "按此处选择的光烘焙目录中的材质或数据集，并赋予所选物体",
     "Bake a measured material first: there is nothing to bake again":
         "请先烘焙实测材质：没有可重新烘焙的内容",
     "Bake a measured material first: there is nothing to export":
@@ -109,19 +147,33 @@ TEXTS = {
         "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
     "Baking {:s}, {:d} more   (Esc stops)":
         "正在烘焙 {:s}，还剩 {:d} 个   （按 Esc 停止）",
+    "Beckmann":
+        "贝克曼",
+    "Best":
+        "最佳",
     "Bring all Facet & Film materials that were baked for another working space into this file's: baked "
     "again, and what you changed moved along. Esc stops it, and then nothing is changed":
         "将所有为其他工作色彩空间烘焙的 Facet & Film 材质转入此文件的空间：重新烘焙，您更改的内容一并转换。按 Esc 停止，此时不作任何更改",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "将此文件中由旧版 Facet & Film 创建的材质更新；所有数值与连线保留",
+    "Brushed":
+        "拉丝",
+    "Brushed Circular":
+        "环形拉丝",
+    "Brushed, Circular":
+        "拉丝，环形",
     "CIE standard observer":
         "CIE 标准观察者",
     "CIEDE2000 at most {:.2f}":
         "CIEDE2000 最大 {:.2f}",
+    "CIEDE2000 {:.2f} on average, below {:.1f} in 95 %":
+        "CIEDE2000 平均 {:.2f}，95 % 低于 {:.1f}",
     "CSV of the Curve":
         "曲线的 CSV",
     "CSV of the Spectrum":
         "光谱的 CSV",
+    "Cast":
+        "铸造",
     "Cauchy b":
         "柯西 b",
     "Cauchy c":
@@ -130,10 +182,16 @@ TEXTS = {
         "核对",
     "Check Against a Measurement":
         "与测量值核对",
+    "Choose a Material":
+        "选择材质",
     "Choose a file: here stands what it is read as":
         "选择文件：此处显示它被读作什么",
+    "Choose a material by its picture, above":
+        "请在上方按图片选择材质",
     "Citation":
         "引文",
+    "Clean and fast, on every device and in EEVEE: the one to take first":
+        "干净快速，适用于所有设备和 EEVEE：首选",
     "Clear Dispersive":
         "透明（色散）",
     "Clear Standard":
@@ -152,14 +210,16 @@ TEXTS = {
         "浓度",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
         "以原生闭包实现的 Cook 与 Torrance 1982：光源采样，适用于所有设备及 EEVEE",
+    "Cook and Torrance's own choice, with a wider foot":
+        "库克与托兰斯的选择，尾部更宽",
     "Cook-Torrance Exact":
         "Cook–Torrance 精确",
     "Cook-Torrance Fast":
         "Cook–Torrance 快速",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals and Gems":
-        "晶体与宝石",
+    "Curve":
+        "曲线",
     "Cut every channel off at 0 and 1":
         "将每个通道截断在 0 与 1",
     "Darken all colours of the material alike, until the largest channel fits":
@@ -188,14 +248,34 @@ TEXTS = {
         "漫射颜色",
     "Dispersion":
         "色散",
+    "Dispersion Curve":
+        "色散曲线",
     "Dispersive":
         "色散",
+    "Distribution":
+        "分布",
     "Does this Blender render the published formulas? Find out on this machine:":
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Drained":
         "排液",
+    "Drop Material":
+        "放下材质",
+    "Drop on {:s}   (Esc stops)":
+        "放到 {:s} 上   (Esc 停止)",
+    "Drop this material on an object: it goes into the slot of the face under the mouse":
+        "将此材质放到物体上：进入鼠标下面所在的槽",
+    "Dull and tarnished, rubbed bright at the edges":
+        "暗淡失泽，边缘磨亮",
+    "Edge Roughness":
+        "边缘粗糙度",
     "Edge Tint":
         "边缘色调",
+    "Edge Width":
+        "边缘宽度",
+    "Edges rubbed bright, for Roughness and Tint":
+        "磨亮的边缘，用于粗糙度和染色",
+    "Entries in the Object menu and in the context menus of objects, faces and material slots":
+        "物体菜单以及物体、面和材质槽右键菜单中的条目",
     "Every parameter":
         "所有参数",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -204,8 +284,6 @@ TEXTS = {
         "此文件中的一切都是当前版本",
     "Everything that was baked":
         "烘焙的全部内容",
-    "Exact":
-        "精确",
     "Exponent R":
         "指数 R",
     "Exponent T":
@@ -222,12 +300,12 @@ TEXTS = {
         "F82 色调",
     "F82 tint":
         "F82 色调",
-    "Fast":
-        "快速",
-    "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow":
-        "快速；对钻石、铅水晶等以彩虹色散著称的材质用色散",
+    "Facet & Film Material...":
+        "Facet & Film 材质...",
     "File":
         "文件",
+    "File of a measured BRDF":
+        "实测 BRDF 文件",
     "File of optical constants":
         "光学常数文件",
     "File to write":
@@ -244,12 +322,34 @@ TEXTS = {
         "薄膜热着色",
     "Film Thickness":
         "薄膜厚度",
+    "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
+        "按名称、化学式或任何别名查找材质，并赋予所选物体",
+    "Fine scratches, for Roughness and Normal":
+        "细划痕，用于粗糙度和法线",
+    "Fingerprints":
+        "指纹",
+    "Fingerprints and wipe marks, for Roughness":
+        "指纹和擦痕，用于粗糙度",
+    "Finish":
+        "表面处理",
+    "Finish: {:s}":
+        "表面处理：{:s}",
     "First Thickness":
         "起始厚度",
     "Fit":
         "拟合",
+    "Fit Measured BRDF":
+        "拟合实测 BRDF",
+    "Fit a model to a measured BRDF, put it in the material slot and save it as a preset of your own: .bsdf of RGL-EPFL, .binary of MERL, or points as text. Takes a few seconds; Esc stops it":
+        "用模型拟合实测 BRDF，放入材质槽并另存为自己的预设：RGL-EPFL 的 .bsdf、MERL 的 .binary 或文本形式的点。需要几秒钟；按 Esc 停止",
+    "Fitting {:s}: {:d} %   (Esc stops)":
+        "正在拟合 {:s}：{:d} %   （Esc 停止）",
     "Form":
         "格式",
+    "Free over the angle, for colours that change with it; with one slope":
+        "随角度自由变化，用于随角变色的表面；只有一个斜率",
+    "Fresnel":
+        "菲涅耳",
     "Fresnel Ramp":
         "菲涅耳渐变",
     "Gamut":
@@ -260,10 +360,10 @@ TEXTS = {
         "高斯 c",
     "Give a preset that you saved another name":
         "为已保存的预设改名",
+    "Give this material another finish; what it is made of stays":
+        "为此材质换一种表面处理；其材料不变",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
-    "Glasses":
-        "玻璃",
     "Gradient":
         "渐变",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
@@ -272,26 +372,40 @@ TEXTS = {
         "最大厚度",
     "Group":
         "组",
+    "Hammered":
+        "锤纹",
+    "Headers":
+        "标题栏",
+    "How many rms slopes the facets have":
+        "微面均方根斜率的个数",
+    "How the facets' slopes are distributed":
+        "微面斜率的分布方式",
     "How the formula becomes a Cycles material":
         "公式如何成为 Cycles 材质",
     "IOR":
         "折射率",
+    "IOR Below":
+        "下层折射率",
     "Illuminant":
         "光源",
     "Image Rows":
         "图像行数",
     "Import Measurement":
         "导入测量数据",
-    "In the Asset Browser as Facet & Film":
-        "在资产浏览器中名为 Facet & Film",
+    "In Place":
+        "原位",
     "Inside, unchanged":
         "在色域内，未改变",
-    "Iridescent":
-        "虹彩",
+    "Into a slot of its own; in Edit Mode for the selected faces":
+        "放入单独的槽；编辑模式下用于所选的面",
+    "Into every material slot of every selected object":
+        "放入每个所选物体的每个材质槽",
+    "Into the active material slot of every selected object":
+        "放入每个所选物体的活动材质槽",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
-    "Kind":
-        "类别",
+    "Keep it among your own presets, with what it was fitted from":
+        "保存到自己的预设中，并注明拟合来源",
     "Large fields of view":
         "大视场",
     "Last Thickness":
@@ -300,8 +414,6 @@ TEXTS = {
         "层厚度",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "层堆的第 {place} 层在每个波长处都需要 n 大于 0 且 k 不小于 0。",
-    "Layered Films":
-        "分层薄膜",
     "Layered RGB Exact":
         "Layered RGB 精确",
     "Layered RGB Fast":
@@ -314,6 +426,8 @@ TEXTS = {
         "保留",
     "Left out, as they take no materials or are linked: {:s}":
         "已略过（不接受材质或为链接数据）：{:s}",
+    "Length":
+        "长度",
     "Light":
         "光",
     "Light and Gamut":
@@ -322,34 +436,47 @@ TEXTS = {
         "决定材质颜色的光；D65 是日光，在 Blender 中为白色",
     "Linear Rec.709, Blender's default":
         "线性 Rec.709，Blender 的默认值",
-    "Liquids":
-        "液体",
     "Lower Normal":
         "下层法线",
+    "Make Local":
+        "设为本地",
+    "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
+    "baking textures, for other engines and exporters. The material itself stays in the file":
+        "创建一个由单个原理化 BSDF 构成、最接近此材质的材质，并放到其位置：用于烘焙纹理、其他引擎和导出器。原材质保留在文件中",
+    "Make the active material itself over, wherever it is used":
+        "直接改造活动材质，无论它用在何处",
     "Make the active material slot the material that you saved":
         "将活动材质槽设为已保存的材质",
+    "Make this linked or overridden material the file's own: changes in its library no longer arrive":
+        "将此关联或覆盖的材质变为此文件自有：其库中的更改不再同步",
     "Match Working Space":
         "匹配工作色彩空间",
     "Material":
         "材质",
+    "Material Shelf":
+        "材质架",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "材质：预设名称，或数据集如 main/Cu/Johnson。输入即可搜索",
+    "Matt, with an even, fine grain":
+        "哑光，颗粒均匀细腻",
     "Measured Material":
         "实测材质",
     "Measurement":
         "测量",
-    "Metals":
-        "金属",
+    "Menus":
+        "菜单",
+    "Model":
+        "模型",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
-    "Native closures from an OSL script: needs Open Shading Language switched on":
-        "OSL 脚本中的原生闭包：需启用开放着色语言",
-    "Native closures: light-sampled, on every device, and in EEVEE":
-        "原生闭包：支持光源采样、所有设备以及 EEVEE",
     "Nearest":
         "最接近",
+    "New Materials":
+        "新材质",
     "New Name":
         "新名称",
+    "New Slot":
+        "新槽",
     "Nodes updated: {:d}":
         "已更新节点：{:d}",
     "Noise Detail":
@@ -358,8 +485,8 @@ TEXTS = {
         "噪波缩放",
     "Normal":
         "法线",
-    "OSL Fast":
-        "OSL 快速",
+    "OSL Standard":
+        "OSL 标准",
     "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
         "OSL 需要 CPU 或 OptiX：在此设备上将显示“{:s}”",
     "Observer":
@@ -372,46 +499,60 @@ TEXTS = {
         "开放着色语言未启用：在渲染属性中启用之前，将显示“{:s}”",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
+    "Open all materials as pictures: each click puts one on the selected objects, until Esc. The first time this adds the library Facet & Film to your preferences":
+        "以图片打开所有材质：每次点击将一种材质赋予所选物体，直到按 Esc。首次使用会将资产库 Facet & Film 添加到偏好设置",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
-    "Other Conductors":
-        "其他导体",
     "Outside":
         "外部介质",
     "Outside IOR":
         "外部折射率",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "色域外：{:s}，通道最多改变 {:.3f}",
-    "Oxides":
-        "氧化物",
+    "Parallel streaks, and highlights drawn out across them":
+        "平行纹路，高光横向拉长",
+    "Parallel streaks, for Roughness, Normal and Tangent":
+        "平行纹路，用于粗糙度、法线和切线",
     "Parameters":
         "参数",
     "Paste Measurement":
         "粘贴测量数据",
-    "Polymers":
-        "聚合物",
+    "Pits":
+        "凹坑",
+    "Polished":
+        "抛光",
     "Preset":
         "预设",
-    "Preset by its picture; the filter beside the name chooses the kind":
-        "按图片选择预设；名称旁的过滤器选择类别",
     "Preset or dataset":
         "预设或数据集",
     "Preset or dataset to compare":
         "要比较的预设或数据集",
     "Preset or dataset to compare with":
         "用于比较的预设或数据集",
+    "Preset's Own":
+        "预设自带",
     "Presets":
         "预设",
+    "Principled Twin":
+        "原理化孪生材质",
     "Published Scale":
         "原文尺度",
+    "Put this material on the selected objects. What you made by hand stays: the slot gets a new material":
+        "将此材质赋予所选物体。您手工制作的材质会保留：槽中放入新材质",
+    "Randomness":
+        "随机性",
     "Re-bake":
         "重新烘焙",
     "Re-bake All Materials":
         "重新烘焙所有材质",
     "Read As":
         "读作",
+    "Read the Documents":
+        "阅读文档",
     "Realisation":
         "实现方式",
+    "Reference":
+        "参考",
     "Reflectance at normal incidence":
         "正入射反射率",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
@@ -432,18 +573,30 @@ TEXTS = {
         "在另一个 Blender 中渲染所有模型与实现方式，将像素与已发表的公式比较并打开报告。需一至五分钟；按 Esc 停止",
     "Render this material by another realisation; every value and link that you set stays":
         "以另一种实现方式渲染此材质；所有数值与连线保留",
-    "Renders by {:s}":
-        "渲染方式：{:s}",
+    "Renders by":
+        "渲染方式",
+    "Rotation":
+        "旋转",
+    "Rough, 1982":
+        "粗糙，1982",
     "Roughness":
         "糙度",
     "Rows":
         "行",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "需在第二个 Blender 中运行，而作为 Python 模块的 Blender 没有：请运行 python -m addon verify",
+    "Samples":
+        "样本",
     "Sampling Width":
         "采样宽度",
+    "Sandblasted":
+        "喷砂",
+    "Satin":
+        "缎面",
     "Save Preset":
         "保存预设",
+    "Save as Preset":
+        "另存为预设",
     "Save the active material under a name of your own, or delete a saved one":
         "以自定义名称保存活动材质，或删除已保存的材质",
     "Scale":
@@ -452,6 +605,14 @@ TEXTS = {
         "场景比例",
     "Scene-linear space that the colours are written in":
         "写入颜色所用的场景线性空间",
+    "Scratch Roughness":
+        "划痕粗糙度",
+    "Scratched":
+        "划痕",
+    "Search":
+        "搜索",
+    "Search Facet & Film Materials":
+        "搜索 Facet & Film 材质",
     "See-through":
         "透视",
     "See-through Shadows":
@@ -460,52 +621,100 @@ TEXTS = {
         "请先选择 Facet & Film 组节点",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
         "请选择 Facet & Film 节点组，或添加：添加，Facet & Film",
-    "Select an object first: the preset is baked into its active material slot":
-        "请先选择物体：预设将烘焙到其活动材质槽",
-    "Semiconductors":
-        "半导体",
+    "Select an object first: the material goes into its active material slot":
+        "请先选择一个物体：材质会放入其活动材质槽",
+    "Selected Node":
+        "所选节点",
+    "Several slopes become one of the same rms.":
+        "多个斜率合为一个均方根相同的斜率。",
+    "Shadows and caustics are the other program's own.":
+        "阴影和焦散由另一程序自行处理。",
+    "Shallow dimples side by side, each with its own highlight":
+        "浅凹窝相邻排列，各有高光",
+    "Shallow dimples, for Roughness and Normal":
+        "浅凹窝，用于粗糙度和法线",
+    "Shelf":
+        "材质架",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
-    "Slope 1":
-        "斜率 1",
-    "Slope 2":
-        "斜率 2",
-    "Slope 3":
-        "斜率 3",
-    "Slope 4":
-        "斜率 4",
+    "Show or hide a shelf of all materials along the 3D Viewport, to click on or to drag onto objects":
+        "显示或隐藏 3D 视图边上的材质架，可点击或拖到物体上",
+    "Sidebar":
+        "侧边栏",
+    "Slope Ratio 2":
+        "斜率比 2",
+    "Slope Ratio 3":
+        "斜率比 3",
+    "Slope Ratio 4":
+        "斜率比 4",
+    "Slopes":
+        "斜率",
     "Small fields of view; what displays are calibrated for":
         "小视场；显示器据此校准",
+    "Smooth, with clear reflections that are soft at their edges":
+        "光滑，反射清晰，边缘柔和",
+    "Smooth, with fine scratches in all directions":
+        "光滑，带有各方向的细划痕",
+    "Smooth, with fingerprints and the marks of wiping":
+        "光滑，带有指纹和擦痕",
+    "Smudge Roughness":
+        "污迹粗糙度",
+    "Smudged":
+        "污迹",
+    "Softness":
+        "柔和度",
     "Specular":
         "镜面",
     "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
         "按每个微面的角度计算的薄膜堆叠，仅用节点采样，适用于所有设备",
     "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
         "以原生闭包实现的薄膜堆叠，每个通道一个波瓣：按光源采样，适用于所有设备",
+    "Standard":
+        "标准",
+    "Standard as an OSL script: needs Open Shading Language switched on":
+        "标准方式的 OSL 脚本：需要打开 Open Shading Language",
+    "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "标准；钻石、铅晶质玻璃等以彩虹闻名者用色散",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
-    "Sulphides":
-        "硫化物",
+    "Stopped: nothing was fitted":
+        "已停止：未进行拟合",
+    "Streaks in circles, as from a lathe or on the foot of a pan":
+        "环形纹路，如车床加工或锅底",
+    "Streaks in circles, for Roughness, Normal and Tangent":
+        "环形纹路，用于粗糙度、法线和切线",
     "Switch Realisation":
         "切换实现方式",
-    "Take the library off the Asset Browser again; what was dragged from it stays":
-        "将该库从资产浏览器移除；已拖入的内容保留",
+    "Table":
+        "表格",
+    "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
+        "从资产浏览器中移除该库以及可供选择的图片；材质保留",
     "Tangent":
         "切线",
+    "Tarnish":
+        "失泽",
     "Temperature":
         "温度",
     "Texture":
         "纹理",
     "Texture Share":
         "纹理占比",
-    "The Papers' Figures":
-        "论文中的图",
+    "The asset library {:s} was added to your preferences; the extension's own take it out again":
+        "资产库 {:s} 已添加到偏好设置；可在扩展的偏好设置中移除",
+    "The coarse, dull skin of a sand mould, with pits":
+        "砂型铸造的粗糙暗淡表皮，带凹坑",
     "The colour inside that looks most alike, by CIEDE2000":
         "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
         "在“系统”的“Cycles 渲染设备”中启用的设备",
+    "The facets' distribution becomes GGX, whose highlights have wider tails.":
+        "微面分布变为 GGX，其高光拖尾更宽。",
+    "The file {file!r} cannot be read.":
+        "无法读取文件 {file!r}。",
+    "The film's colors over the angle become two: face on and at 82°.":
+        "薄膜随角度变化的颜色简化为两个：正视和 82°。",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
@@ -521,12 +730,12 @@ TEXTS = {
         "Granier 与 Heidrich 2003 的原公式，仅用节点采样，适用于所有设备",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
-    "The library is in Preferences, File Paths already":
-        "该库已在偏好设置的文件路径中",
+    "The library is in your preferences already":
+        "该库已在偏好设置中",
     "The library is not in the preferences":
         "该库不在偏好设置中",
-    "The library {:s} is no longer in the preferences":
-        "库 {:s} 已不在偏好设置中",
+    "The library {:s} is no longer shown":
+        "不再显示资产库 {:s}",
     "The measured points: wavelength_nm, n, k":
         "测量点：wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
@@ -539,10 +748,12 @@ TEXTS = {
         "无法读取预设 {file!r}。",
     "The processor":
         "处理器",
-    "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
-        "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
-    "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
-        "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
+    "The published formula as an OSL script: needs Open Shading Language switched on in the Render properties, on the CPU or OptiX; EEVEE shows Standard":
+        "以 OSL 脚本实现的论文公式：需要在渲染属性中打开 Open Shading Language，用于 CPU 或 OptiX；EEVEE 显示标准方式",
+    "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
+        "论文公式本身，适用于所有设备：较慢且噪点较多，用于对照；EEVEE 显示标准方式",
+    "The rough finish of the paper's copper vase":
+        "论文中铜花瓶的粗糙表面",
     "The same with the colours of the rainbow, each refracted by its own index":
         "同上，并带有彩虹色，每种颜色以各自的折射率折射",
     "The scene-linear space of this file":
@@ -554,6 +765,12 @@ TEXTS = {
         "第二个 Blender 以状态 {:d} 结束：{:s}",
     "The shader {shader} does not compile: {why}":
         "着色器 {shader} 无法编译：{why}",
+    "The shelf stands in a 3D Viewport in Object Mode":
+        "材质架位于物体模式下的 3D 视图中",
+    "The simplest of the others of which no other comes clearly closer":
+        "其余选项中最简单且没有其他明显更接近的一种",
+    "The skin of a sand mould, for Roughness and Normal":
+        "砂型表皮，用于粗糙度和法线",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "厚度须在层堆给定的 {low:g} 到 {high:g} nm 之间；现为 {given:g}。",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -564,6 +781,8 @@ TEXTS = {
         "验证已停止；没有报告",
     "There is a preset called {:s} already":
         "已有名为 {:s} 的预设",
+    "There is no material of Facet & Film called {name!r}.":
+        "Facet & Film 中没有名为 {name!r} 的材质。",
     "Thickness":
         "厚度",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -576,28 +795,41 @@ TEXTS = {
         "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
     "Thin Walled":
         "薄壁",
-    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
-        "此 Blender 编译时未包含 OSL：请使用精确或快速实现，它们渲染同一材质",
-    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
-        "此 Blender 缺少 OSL 脚本所需的模块 oslquery：请使用精确或快速实现",
-    "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
-        "此引擎以“快速”代替：要使用此实现方式，请在渲染属性中选择 Cycles",
+    "This Blender is built without OSL: take Reference or Standard, which render the same material":
+        "此 Blender 未包含 OSL：请使用参考或标准方式，渲染同一材质",
+    "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard":
+        "此 Blender 缺少 OSL 脚本所需的 oslquery 模块：请使用参考或标准方式",
+    "This engine renders Standard in its place: for this realisation choose Cycles in the Render properties":
+        "此引擎改用标准方式渲染：要使用此实现，请在渲染属性中选择 Cycles",
     "This file has no material with a measurement: bake a preset first":
         "此文件没有带测量数据的材质：请先烘焙预设",
     "This file is no preset of Facet & Film.":
         "此文件不是 Facet & Film 的预设。",
+    "This material is the file's own already":
+        "此材质已是此文件自有",
+    "This model has no roughness that a finish could vary":
+        "此模型没有可由表面处理改变的粗糙度",
     "Time":
         "时间",
     "Tint":
         "染色",
+    "To":
+        "放到",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
+    "Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as they were "
+    "rendered, so nothing can be verified: use one that has a role for data, or start Blender without it.":
+        "在此 OpenColorIO 配置下，像素从 OpenEXR 文件读回后与渲染时不同，因此无法验证：请使用带有数据角色的配置，或不使用它启动 Blender。",
+    "Unevenness":
+        "不均匀度",
     "Update Materials":
         "更新材质",
     "Usual":
         "常用",
     "Vector":
         "矢量",
+    "Verdict":
+        "结论",
     "Verify Against the Formulas":
         "对照公式验证",
     "Verify on CPU":
@@ -612,6 +844,8 @@ TEXTS = {
         "电压",
     "Wavelengths":
         "波长",
+    "Wear":
+        "磨损",
     "Weight 1":
         "权重 1",
     "Weight 2":
@@ -623,8 +857,14 @@ TEXTS = {
     "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
     "air or water.":
         "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
+    "What is plugged into {:s} stays behind":
+        "连接到 {:s} 的内容不会导出",
+    "What the reflectance F may be":
+        "反射率 F 的形式",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
         "表面所处的介质：空气、折射率（如 1.33）或透明材质（如水）",
+    "What this material does with light has no counterpart there: its color and gloss at a glance remain.":
+        "此材质对光的作用在那里没有对应物：仅保留大致的颜色和光泽。",
     "What to call it":
         "新的叫法",
     "What to compare":
@@ -635,14 +875,26 @@ TEXTS = {
         "用于渲染测试样本的设备",
     "What to write":
         "写入的内容",
+    "What was done to the surface":
+        "表面经过怎样的处理",
+    "Where the material goes":
+        "材质放到哪里",
+    "Where to Find It":
+        "在哪里找到",
     "Which group to add":
         "要添加的组",
-    "Which presets to show pictures of":
-        "显示哪些预设的图片",
+    "Which material to apply":
+        "要应用的材质",
+    "Width":
+        "宽度",
+    "Wipe Marks":
+        "擦痕",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench 只显示视图颜色：请在渲染属性中选择 Cycles",
     "Working Space":
         "工作空间",
+    "Worn Edges":
+        "磨损边缘",
     "Write the active material as its node holds it now: JSON, CSV or MaterialX":
         "按节点当前的内容写出活动材质：JSON、CSV 或 MaterialX",
     "Wrote {:s}":
@@ -651,6 +903,8 @@ TEXTS = {
         "尚未保存任何预设",
     "a space of its own":
         "自定义色彩空间",
+    "alike":
+        "几乎相同",
     "average daylight (superseded), 6774 K":
         "平均日光（已弃用），6774 K",
     "broadband fluorescent, D50 simulator, 5000 K":
@@ -689,8 +943,14 @@ TEXTS = {
         "正午直射阳光（已弃用），4874 K",
     "equal energy":
         "等能",
+    "fair":
+        "尚可",
+    "finish":
+        "表面处理",
     "fluorescent, D65 simulator, 6510 K":
         "荧光灯，D65 模拟器，6510 K",
+    "good":
+        "良好",
     "halophosphate fluorescent, 2930 K":
         "卤磷酸盐荧光灯，2930 K",
     "halophosphate fluorescent, 3970 K":
@@ -736,6 +996,14 @@ TEXTS = {
     "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
         "thickness_range 必须是以 nm 为单位的（最小，最大），而不是 ({least:g}, "
         "{greatest:g})。",
+    "this model cannot, because away from its highlights it is not evenly diffuse, as where fibres or flakes send light back":
+        "该模型无法胜任，因为高光以外并非均匀漫反射，例如纤维或薄片会将光反射回去",
+    "this model cannot, because its colour changes with the angle in another way than one Fresnel term on facets does":
+        "该模型无法胜任，因为颜色随角度的变化不同于微面上的单一菲涅耳项",
+    "this model cannot, because its highlights have another shape than facets of a few slopes make, as those of flakes":
+        "该模型无法胜任，因为高光的形状不同于少数斜率的微面，例如薄片的高光",
+    "this model cannot, because towards grazing it reflects otherwise than facets do":
+        "该模型无法胜任，因为掠射时的反射不同于微面",
     "three-band fluorescent, 2980 K":
         "三基色荧光灯，2980 K",
     "three-band fluorescent, 3000 K":
@@ -774,12 +1042,22 @@ TEXTS = {
         "白色荧光灯，3450 K",
     "{:d} materials baked again":
         "已重新烘焙 {:d} 个材质",
+    "{:d} objects":
+        "{:d} 个物体",
+    "{:d} used, {:d} left out":
+        "使用 {:d} 个，舍去 {:d} 个",
     "{:s} applied":
         "已应用 {:s}",
     "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
         "{:s} 已由 {:s} 烘焙：拟合的最大 CIEDE2000 为 {:.2f}",
+    "{:s} fitted, CIEDE2000 {:.2f} on average: {:s}":
+        "{:s} 已拟合，CIEDE2000 平均 {:.2f}：{:s}",
     "{:s} is linked: update it in {:s}":
         "{:s} 是链接的：请在 {:s} 中更新",
+    "{:s} is the file's own now":
+        "{:s} 现为此文件自有",
+    "{:s} on {:s}":
+        "{:s} 已应用到 {:s}",
     "{:s} renders by {:s}":
         "{:s} 的渲染方式：{:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
@@ -790,22 +1068,56 @@ TEXTS = {
         "{:s} 已被手动编辑，保持原样",
     "{:s} was made by a newer Facet & Film: install that one to change it":
         "{:s} 由较新的 Facet & Film 制作：请安装该版本以修改",
+    "{:s}: finish {:s}":
+        "{:s}：表面处理 {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}：版本 {:d}，现为 {:d}",
+    "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":
+        "{:s}：随角度平均为 {:.1f} CIEDE2000，相对于 {:s}",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":
         "{dataset!r} 不是数据库中的数据集；请指定一个数据集或其中的材质。",
     "{file!r} cannot be written: {why}; name another place.":
         "无法写入 {file!r}：{why}；请另指定位置。",
+    "{file!r} has a heading that does not name theta_i, phi_i, theta_o, phi_o and a column for every number.":
+        "{file!r} 的表头没有列出 theta_i、phi_i、theta_o、phi_o 以及每个数值对应的列。",
+    "{file!r} has tables of the wrong dimensions: download it again.":
+        "{file!r} 中表格的维度不对：请重新下载。",
+    "{file!r} has {count} columns without a heading: name them, as in theta_i phi_i theta_o phi_o 450 550 650.":
+        "{file!r} 有 {count} 列但没有表头：请为各列命名，例如 theta_i phi_i theta_o phi_o 450 550 650。",
+    "{file!r} has {count} usable points; a fit needs {fewest}, and 400 where they are noisy.":
+        "{file!r} 有 {count} 个可用的点；拟合需要 {fewest} 个，有噪声时需要 400 个。",
+    "{file!r} has {sizes} entries; a file of the MERL database has 90 × 90 × 180.":
+        "{file!r} 有 {sizes} 个条目；MERL 数据库的文件有 90 × 90 × 180 个。",
+    "{file!r} holds no measured BRDF: take .bsdf of RGL-EPFL, .binary of MERL, or a text of points, each θi φi θo φo and red green blue.":
+        "{file!r} 不含实测 BRDF：请使用 RGL-EPFL 的 .bsdf、MERL 的 .binary，或由点组成的文本，每行为 θi φi θo φo 及红绿蓝。",
+    "{file!r} holds no value above 0: there is nothing to fit.":
+        "{file!r} 中没有大于 0 的值：无可拟合。",
+    "{file!r} holds spectra: take the file of the same material that ends in _rgb.bsdf.":
+        "{file!r} 含有光谱：请使用同一材质以 _rgb.bsdf 结尾的文件。",
+    "{file!r} holds values that are no numbers (NaN or infinite): download it again.":
+        "{file!r} 含有非数值（NaN 或无穷大）：请重新下载。",
+    "{file!r} is a Git LFS pointer, not the file itself: fetch it with git lfs pull.":
+        "{file!r} 是 Git LFS 指针，而非文件本身：请用 git lfs pull 获取。",
     "{file!r} is a folder; name a file in it.":
         "{file!r} 是文件夹；请指定其中的文件。",
+    "{file!r} is a web page, not a measurement: download the file that it links to.":
+        "{file!r} 是网页而非测量数据：请下载它所链接的文件。",
+    "{file!r} is anisotropic: it reflects otherwise when it is turned, which the fit does not know; take an isotropic material.":
+        "{file!r} 是各向异性的：旋转后反射不同，拟合不支持；请使用各向同性的材质。",
     "{file!r} is being written already; remove {aside!r} if it is not.":
         "{file!r} 正在写入；若并非如此，请删除 {aside!r}。",
+    "{file!r} is damaged or ends too early: download it again.":
+        "{file!r} 已损坏或不完整：请重新下载。",
+    "{file!r} is larger than half a gigabyte, which no measured BRDF is.":
+        "{file!r} 大于半 GB，实测 BRDF 不会这么大。",
+    "{file!r} is no BRDF of the RGL-EPFL database: it lacks some of its tables.":
+        "{file!r} 不是 RGL-EPFL 数据库的 BRDF：缺少部分表格。",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} 受保护或不是普通文件；请另指定一个。",
+    "{file!r} names its values neither red, green and blue nor by wavelengths in nm that reach from 450 to 650.":
+        "{file!r} 的数值既未标为红、绿、蓝，也未以覆盖 450 到 650 nm 的波长标注。",
     "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
         "{material} 会吸收光，不能作为外部介质；请给出透明的介质，例如 'water'，或其折射率，例如 1.33。",
-    "{material} has no Principled BSDF that comes close: name a measured preset.":
-        "{material} 没有相近的原理化 BSDF：请指定一个测量预设。",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} 不含测量数据：请先烘焙一个测量预设。",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":

@@ -7,16 +7,33 @@ TEXTS = {
         "   (Esc bricht ab)",
     " or ":
         " oder ",
+    ". Saved among your presets as {:s}":
+        ". Unter den eigenen Voreinstellungen gespeichert als {:s}",
     "0° to 90°":
         "0° bis 90°",
     "; ends held":
         "; Enden gehalten",
     "; outside the gamut, mapped by {:s}":
         "; außerhalb des Farbraums, abgebildet mit {:s}",
+    "; the marks of the finish stay in Blender, its roughness is in it":
+        "; die Spuren der Oberfläche bleiben in Blender, ihre Rauheit ist darin",
+    "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
+        "Eine Fresnel-Kurve besteht aus Winkeln von 0° bis 90° mit je drei Reflexionsgraden von 0 bis 1, etwa 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', nicht {value!r}.",
+    "A button in the headers of the 3D Viewport and of the Shader Editor":
+        "Ein Knopf in den Kopfleisten der 3D-Ansicht und des Shader-Editors",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
+    "A conductor's, by its complex refractive index":
+        "Die eines Leiters, nach seinem komplexen Brechungsindex",
+    "A dielectric's, by its reflectance at normal incidence":
+        "Die eines Nichtleiters, nach seinem Reflexionsgrad bei senkrechtem Einfall",
     "A file to write is named by its path, not by {path!r}.":
         "Eine Datei zum Schreiben heißt nach ihrem Pfad, nicht {path!r}.",
+    "A finish is called by its name, such as 'brushed', not {value!r}.":
+        "Eine Oberfläche wird mit ihrem Namen genannt, etwa 'brushed', nicht {value!r}.",
+    "A finish varies the roughness, which {model} has not: name a material of another model, or no finish.":
+        "Eine Oberfläche verändert die Rauheit, die {model} nicht hat: Nennen Sie ein Material eines anderen Modells "
+        "oder keine Oberfläche.",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "Ein Material ist der Name einer Voreinstellung oder die Kennung eines Datensatzes, nicht {value!r}.",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
@@ -36,12 +53,18 @@ TEXTS = {
     "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
         "Ein Stapel aus {films} Schichten hat {indices} Brechzahlen: außen, Schichten und Träger; gegeben "
         "sind {given}.",
+    "A tab in the sidebar of the 3D Viewport":
+        "Ein Reiter in der Seitenleiste der 3D-Ansicht",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
+    "A thickness that varies becomes its middle.":
+        "Aus einer Dicke, die wechselt, wird ihre Mitte.",
     "A verification is running":
         "Eine Prüfung läuft",
     "Absorption":
         "Absorption",
+    "Active Slot":
+        "Aktiver Slot",
     "Adapt White":
         "Weiß anpassen",
     "Add Asset Library":
@@ -50,24 +73,38 @@ TEXTS = {
         "Gruppe von Facet & Film hinzufügen",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
-    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
-        "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
+    "Add the materials and node groups to the Asset Browser, as a library of your preferences":
+        "Fügt die Materialien und Nodegruppen dem Asset-Browser hinzu, als Bibliothek in den Einstellungen",
+    "All Slots":
+        "Alle Slots",
     "All materials of Facet & Film in this file are in its working space":
         "Alle Materialien von Facet & Film in dieser Datei sind in deren Arbeitsfarbraum",
-    "Alloys":
-        "Legierungen",
+    "Amount":
+        "Menge",
+    "An even sheen without marks":
+        "Ein gleichmäßiger Glanz ohne Spuren",
+    "An even, fine grain, for Roughness and Normal":
+        "Ein gleichmäßiges, feines Korn, für Rauheit und Normale",
+    "Anisotropy":
+        "Anisotropie",
     "Another Version":
         "Andere Version",
     "Apply":
         "Anwenden",
+    "Apply Finish":
+        "Oberfläche anwenden",
+    "Apply Material":
+        "Material anwenden",
     "Apply Saved Preset":
         "Gespeicherte Voreinstellung anwenden",
     "Apply a material of Facet & Film first: there is nothing to save":
         "Erst ein Material von Facet & Film anwenden: Es gibt nichts zu speichern",
     "Apply to Node":
         "Auf Node anwenden",
-    "Asset Library":
-        "Asset-Bibliothek",
+    "As published beside it":
+        "Wie daneben veröffentlicht",
+    "As smooth or rough as the preset says":
+        "So glatt oder rau, wie die Voreinstellung sagt",
     "At 0°":
         "Bei 0°",
     "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
@@ -88,12 +125,15 @@ TEXTS = {
         "Bei {place!r}: Was außen ist, steht vor einem senkrechten Strich, und hier sind mehrere.",
     "At {place!r}: {why}":
         "Bei {place!r}: {why}",
+    "Axis":
+        "Achse",
     "Azimuth":
         "Azimut",
     "Bake Spectral Preset":
         "Spektrale Voreinstellung backen",
-    "Bake a material into the active material slot of the active object, and put it on the other selected ones":
-        "Backt ein Material in den aktiven Materialslot des aktiven Objekts und gibt es den anderen ausgewählten",
+    "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
+        "Backt ein Material des Katalogs oder einen Datensatz in dem hier gewählten Licht und gibt es den gewählten "
+        "Objekten",
     "Bake a measured material first: there is nothing to bake again":
         "Erst ein gemessenes Material backen: Es gibt nichts neu zu backen",
     "Bake a measured material first: there is nothing to export":
@@ -112,6 +152,10 @@ TEXTS = {
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
         "Backt {:s}, noch {:d}   (Esc bricht ab)",
+    "Beckmann":
+        "Beckmann",
+    "Best":
+        "Beste",
     "Bring all Facet & Film materials that were baked for another working space into this file's: baked "
     "again, and what you changed moved along. Esc stops it, and then nothing is changed":
         "Alle Materialien von Facet & Film, die für einen anderen Arbeitsfarbraum gebacken wurden, in den "
@@ -119,14 +163,24 @@ TEXTS = {
         "nichts geändert",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "Bringt Materialien dieser Datei von einem älteren Facet & Film auf den neuen Stand; alle Werte und Verbindungen bleiben",
+    "Brushed":
+        "Gebürstet",
+    "Brushed Circular":
+        "Kreisförmig gebürstet",
+    "Brushed, Circular":
+        "Gebürstet, kreisförmig",
     "CIE standard observer":
         "CIE-Normalbeobachter",
     "CIEDE2000 at most {:.2f}":
         "CIEDE2000 höchstens {:.2f}",
+    "CIEDE2000 {:.2f} on average, below {:.1f} in 95 %":
+        "CIEDE2000 im Mittel {:.2f}, in 95 % unter {:.1f}",
     "CSV of the Curve":
         "CSV der Kurve",
     "CSV of the Spectrum":
         "CSV des Spektrums",
+    "Cast":
+        "Gegossen",
     "Cauchy b":
         "Cauchy b",
     "Cauchy c":
@@ -135,10 +189,16 @@ TEXTS = {
         "Prüfen",
     "Check Against a Measurement":
         "Mit einer Messung prüfen",
+    "Choose a Material":
+        "Material auswählen",
     "Choose a file: here stands what it is read as":
         "Eine Datei wählen: Hier steht, als was sie gelesen wird",
+    "Choose a material by its picture, above":
+        "Oben ein Material nach seinem Bild auswählen",
     "Citation":
         "Quelle",
+    "Clean and fast, on every device and in EEVEE: the one to take first":
+        "Rauscharm und schnell, auf jedem Gerät und in EEVEE: die erste Wahl",
     "Clear Dispersive":
         "Klar, mit Dispersion",
     "Clear Standard":
@@ -157,14 +217,16 @@ TEXTS = {
         "Konzentration",
     "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
         "Cook und Torrance 1982 mit eingebauten Shadern: mit Licht-Sampling, auf jedem Gerät und in EEVEE",
+    "Cook and Torrance's own choice, with a wider foot":
+        "Die Wahl von Cook und Torrance, mit breiterem Fuß",
     "Cook-Torrance Exact":
         "Cook–Torrance exakt",
     "Cook-Torrance Fast":
         "Cook–Torrance schnell",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals and Gems":
-        "Kristalle und Edelsteine",
+    "Curve":
+        "Kurve",
     "Cut every channel off at 0 and 1":
         "Schneidet jeden Kanal bei 0 und 1 ab",
     "Darken all colours of the material alike, until the largest channel fits":
@@ -193,14 +255,34 @@ TEXTS = {
         "Diffuse Farbe",
     "Dispersion":
         "Dispersion",
+    "Dispersion Curve":
+        "Dispersionskurve",
     "Dispersive":
         "Mit Dispersion",
+    "Distribution":
+        "Verteilung",
     "Does this Blender render the published formulas? Find out on this machine:":
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Drained":
         "Abgelaufen",
+    "Drop Material":
+        "Material ablegen",
+    "Drop on {:s}   (Esc stops)":
+        "Auf {:s} ablegen   (Esc bricht ab)",
+    "Drop this material on an object: it goes into the slot of the face under the mouse":
+        "Legt dieses Material auf einem Objekt ab: Es kommt in den Slot der Fläche unter der Maus",
+    "Dull and tarnished, rubbed bright at the edges":
+        "Matt und angelaufen, an den Kanten blank gerieben",
+    "Edge Roughness":
+        "Rauheit der Kanten",
     "Edge Tint":
         "Randtönung",
+    "Edge Width":
+        "Breite der Kanten",
+    "Edges rubbed bright, for Roughness and Tint":
+        "Blank geriebene Kanten, für Rauheit und Tönung",
+    "Entries in the Object menu and in the context menus of objects, faces and material slots":
+        "Einträge im Objekt-Menü und in den Kontextmenüs von Objekten, Flächen und Materialslots",
     "Every parameter":
         "Alle Parameter",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -209,8 +291,6 @@ TEXTS = {
         "Alles in dieser Datei ist von dieser Version",
     "Everything that was baked":
         "Alles, was gebacken wurde",
-    "Exact":
-        "Exakt",
     "Exponent R":
         "Exponent R",
     "Exponent T":
@@ -227,12 +307,12 @@ TEXTS = {
         "F82-Tönung",
     "F82 tint":
         "F82-Tönung",
-    "Fast":
-        "Schnell",
-    "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow":
-        "Schnell; Dispersiv bei Diamant, Bleikristall und was sonst durch seinen Regenbogen bekannt ist",
+    "Facet & Film Material...":
+        "Facet & Film: Material ...",
     "File":
         "Datei",
+    "File of a measured BRDF":
+        "Datei einer gemessenen BRDF",
     "File of optical constants":
         "Datei mit optischen Konstanten",
     "File to write":
@@ -249,12 +329,34 @@ TEXTS = {
         "Film Anlauffarbe",
     "Film Thickness":
         "Filmdicke",
+    "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
+        "Findet ein Material nach Namen, Formel oder jedem anderen Namen und gibt es den gewählten Objekten",
+    "Fine scratches, for Roughness and Normal":
+        "Feine Kratzer, für Rauheit und Normale",
+    "Fingerprints":
+        "Fingerabdrücke",
+    "Fingerprints and wipe marks, for Roughness":
+        "Fingerabdrücke und Wischspuren, für die Rauheit",
+    "Finish":
+        "Oberfläche",
+    "Finish: {:s}":
+        "Oberfläche: {:s}",
     "First Thickness":
         "Erste Dicke",
     "Fit":
         "Anpassung",
+    "Fit Measured BRDF":
+        "Gemessene BRDF anpassen",
+    "Fit a model to a measured BRDF, put it in the material slot and save it as a preset of your own: .bsdf of RGL-EPFL, .binary of MERL, or points as text. Takes a few seconds; Esc stops it":
+        "Passt ein Modell an eine gemessene BRDF an, setzt es in den Materialslot und speichert es als eigene Voreinstellung: .bsdf von RGL-EPFL, .binary von MERL oder Punkte als Text. Dauert einige Sekunden; Esc bricht ab",
+    "Fitting {:s}: {:d} %   (Esc stops)":
+        "{:s} wird angepasst: {:d} %   (Esc bricht ab)",
     "Form":
         "Form",
+    "Free over the angle, for colours that change with it; with one slope":
+        "Frei über dem Winkel, für Farben, die sich mit ihm ändern; mit einer Steigung",
+    "Fresnel":
+        "Fresnel",
     "Fresnel Ramp":
         "Fresnel-Verlauf",
     "Gamut":
@@ -265,10 +367,10 @@ TEXTS = {
         "Gauß c",
     "Give a preset that you saved another name":
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
+    "Give this material another finish; what it is made of stays":
+        "Gibt diesem Material eine andere Oberfläche; woraus es besteht, bleibt",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
-    "Glasses":
-        "Gläser",
     "Gradient":
         "Verlauf",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
@@ -277,26 +379,40 @@ TEXTS = {
         "Größte Dicke",
     "Group":
         "Gruppe",
+    "Hammered":
+        "Gehämmert",
+    "Headers":
+        "Kopfleisten",
+    "How many rms slopes the facets have":
+        "Wie viele mittlere Steigungen die Facetten haben",
+    "How the facets' slopes are distributed":
+        "Wie die Steigungen der Facetten verteilt sind",
     "How the formula becomes a Cycles material":
         "Wie die Formel zu einem Cycles-Material wird",
     "IOR":
         "Brechzahl",
+    "IOR Below":
+        "IOR darunter",
     "Illuminant":
         "Lichtart",
     "Image Rows":
         "Bildzeilen",
     "Import Measurement":
         "Messung importieren",
-    "In the Asset Browser as Facet & Film":
-        "Im Asset-Browser als Facet & Film",
+    "In Place":
+        "An Ort und Stelle",
     "Inside, unchanged":
         "Innerhalb, unverändert",
-    "Iridescent":
-        "Schillernd",
+    "Into a slot of its own; in Edit Mode for the selected faces":
+        "In einen eigenen Slot; im Bearbeitungsmodus für die gewählten Flächen",
+    "Into every material slot of every selected object":
+        "In jeden Materialslot jedes gewählten Objekts",
+    "Into the active material slot of every selected object":
+        "In den aktiven Materialslot jedes gewählten Objekts",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
-    "Kind":
-        "Art",
+    "Keep it among your own presets, with what it was fitted from":
+        "Es unter den eigenen Voreinstellungen behalten, mit seiner Herkunft",
     "Large fields of view":
         "Große Sehfelder",
     "Last Thickness":
@@ -305,8 +421,6 @@ TEXTS = {
         "Schichtdicke",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "Lage {place} eines Stapels braucht bei jeder Wellenlänge n über 0 und k von mindestens 0.",
-    "Layered Films":
-        "Geschichtete Filme",
     "Layered RGB Exact":
         "Layered RGB exakt",
     "Layered RGB Fast":
@@ -319,6 +433,8 @@ TEXTS = {
         "Belassen",
     "Left out, as they take no materials or are linked: {:s}":
         "Ausgelassen, da sie keine Materialien nehmen oder verknüpft sind: {:s}",
+    "Length":
+        "Länge",
     "Light":
         "Licht",
     "Light and Gamut":
@@ -327,34 +443,50 @@ TEXTS = {
         "Licht, in dem das Material seine Farbe hat; D65 ist Tageslicht und in Blender weiß",
     "Linear Rec.709, Blender's default":
         "Lineares Rec.709, Blenders Voreinstellung",
-    "Liquids":
-        "Flüssigkeiten",
     "Lower Normal":
         "Untere Normale",
+    "Make Local":
+        "Lokal machen",
+    "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
+    "baking textures, for other engines and exporters. The material itself stays in the file":
+        "Ein Material aus einem Principled BSDF machen, das diesem am nächsten kommt, und an seine Stelle "
+        "setzen: zum Backen von Texturen, für andere Engines und Exporter. Das Material selbst bleibt in der "
+        "Datei",
+    "Make the active material itself over, wherever it is used":
+        "Ändert das aktive Material selbst, wo immer es benutzt wird",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
+    "Make this linked or overridden material the file's own: changes in its library no longer arrive":
+        "Dieses verknüpfte oder überschriebene Material zum eigenen der Datei machen: Änderungen in seiner "
+        "Bibliothek kommen nicht mehr an",
     "Match Working Space":
         "An Arbeitsfarbraum anpassen",
     "Material":
         "Material",
+    "Material Shelf":
+        "Materialleiste",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "Material: Name einer Voreinstellung, oder ein Datensatz wie main/Cu/Johnson. Tippen sucht",
+    "Matt, with an even, fine grain":
+        "Matt, mit gleichmäßigem, feinem Korn",
     "Measured Material":
         "Gemessenes Material",
     "Measurement":
         "Messung",
-    "Metals":
-        "Metalle",
+    "Menus":
+        "Menüs",
+    "Model":
+        "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
-    "Native closures from an OSL script: needs Open Shading Language switched on":
-        "Eingebaute Shader aus einem OSL-Skript: Open Shading Language muss eingeschaltet sein",
-    "Native closures: light-sampled, on every device, and in EEVEE":
-        "Eingebaute Shader: mit Lichtabtastung, auf jedem Gerät und in EEVEE",
     "Nearest":
         "Nächste",
+    "New Materials":
+        "Neue Materialien",
     "New Name":
         "Neuer Name",
+    "New Slot":
+        "Neuer Slot",
     "Nodes updated: {:d}":
         "Aktualisierte Nodes: {:d}",
     "Noise Detail":
@@ -363,8 +495,8 @@ TEXTS = {
         "Rauschgröße",
     "Normal":
         "Normale",
-    "OSL Fast":
-        "OSL schnell",
+    "OSL Standard":
+        "OSL Standard",
     "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
         "OSL braucht die CPU oder OptiX: auf diesem Gerät wird stattdessen {:s} gezeigt",
     "Observer":
@@ -378,46 +510,62 @@ TEXTS = {
         "Open Shading Language ist aus: {:s} wird stattdessen gezeigt, bis es in den Render-Eigenschaften eingeschaltet wird",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
+    "Open all materials as pictures: each click puts one on the selected objects, until Esc. The first time this adds the library Facet & Film to your preferences":
+        "Öffnet alle Materialien als Bilder: Jeder Klick gibt eines den gewählten Objekten, bis Esc. Beim ersten Mal "
+        "kommt die Bibliothek Facet & Film in die Einstellungen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
-    "Other Conductors":
-        "Andere Leiter",
     "Outside":
         "Außen",
     "Outside IOR":
         "Brechzahl außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
-    "Oxides":
-        "Oxide",
+    "Parallel streaks, and highlights drawn out across them":
+        "Parallele Striche, und Glanzlichter quer zu ihnen gezogen",
+    "Parallel streaks, for Roughness, Normal and Tangent":
+        "Parallele Striche, für Rauheit, Normale und Tangente",
     "Parameters":
         "Parameter",
     "Paste Measurement":
         "Messung einfügen",
-    "Polymers":
-        "Polymere",
+    "Pits":
+        "Löcher",
+    "Polished":
+        "Poliert",
     "Preset":
         "Voreinstellung",
-    "Preset by its picture; the filter beside the name chooses the kind":
-        "Voreinstellung nach ihrem Bild; der Filter neben dem Namen wählt die Art",
     "Preset or dataset":
         "Voreinstellung oder Datensatz",
     "Preset or dataset to compare":
         "Zu vergleichende Voreinstellung oder Datensatz",
     "Preset or dataset to compare with":
         "Voreinstellung oder Datensatz zum Vergleich",
+    "Preset's Own":
+        "Der Voreinstellung eigene",
     "Presets":
         "Voreinstellungen",
+    "Principled Twin":
+        "Principled-Zwilling",
     "Published Scale":
         "Veröffentlichte Skala",
+    "Put this material on the selected objects. What you made by hand stays: the slot gets a new material":
+        "Gibt den gewählten Objekten dieses Material. Was von Hand gemacht ist, bleibt: Der Slot bekommt ein neues "
+        "Material",
+    "Randomness":
+        "Zufälligkeit",
     "Re-bake":
         "Neu backen",
     "Re-bake All Materials":
         "Alle Materialien neu backen",
     "Read As":
         "Gelesen als",
+    "Read the Documents":
+        "Dokumente lesen",
     "Realisation":
         "Umsetzung",
+    "Reference":
+        "Referenz",
     "Reflectance at normal incidence":
         "Reflexionsgrad bei senkrechtem Einfall",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
@@ -438,18 +586,30 @@ TEXTS = {
         "Rendert jedes Modell und jede Umsetzung in einem zweiten Blender, vergleicht die Pixel mit den veröffentlichten Formeln und öffnet den Bericht. Dauert eine bis fünf Minuten; Esc bricht ab",
     "Render this material by another realisation; every value and link that you set stays":
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
-    "Renders by {:s}":
-        "Rendert mit: {:s}",
+    "Renders by":
+        "Rendert mit",
+    "Rotation":
+        "Drehung",
+    "Rough, 1982":
+        "Rau, 1982",
     "Roughness":
         "Rauheit",
     "Rows":
         "Zeilen",
     "Runs in a second Blender, which Blender as a Python module lacks: run python -m addon verify":
         "Läuft in einem zweiten Blender, das Blender als Python-Modul fehlt: python -m addon verify aufrufen",
+    "Samples":
+        "Messpunkte",
     "Sampling Width":
         "Abtastbreite",
+    "Sandblasted":
+        "Sandgestrahlt",
+    "Satin":
+        "Seidenglanz",
     "Save Preset":
         "Voreinstellung speichern",
+    "Save as Preset":
+        "Als Voreinstellung speichern",
     "Save the active material under a name of your own, or delete a saved one":
         "Speichert das aktive Material unter eigenem Namen oder löscht ein gespeichertes",
     "Scale":
@@ -458,6 +618,14 @@ TEXTS = {
         "Maßstab der Szene",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
+    "Scratch Roughness":
+        "Rauheit der Kratzer",
+    "Scratched":
+        "Zerkratzt",
+    "Search":
+        "Suchen",
+    "Search Facet & Film Materials":
+        "Facet & Film: Materialien suchen",
     "See-through":
         "Durchsichtig",
     "See-through Shadows":
@@ -466,52 +634,100 @@ TEXTS = {
         "Erst einen Gruppen-Node von Facet & Film auswählen",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
         "Eine Gruppe von Facet & Film auswählen oder hinzufügen: Hinzufügen, Facet & Film",
-    "Select an object first: the preset is baked into its active material slot":
-        "Erst ein Objekt auswählen: Die Voreinstellung wird in dessen aktiven Materialslot gebacken",
-    "Semiconductors":
-        "Halbleiter",
+    "Select an object first: the material goes into its active material slot":
+        "Zuerst ein Objekt auswählen: Das Material kommt in dessen aktiven Materialslot",
+    "Selected Node":
+        "Gewählter Node",
+    "Several slopes become one of the same rms.":
+        "Aus mehreren Steigungen wird eine mit demselben Effektivwert.",
+    "Shadows and caustics are the other program's own.":
+        "Schatten und Kaustik sind die des anderen Programms.",
+    "Shallow dimples side by side, each with its own highlight":
+        "Flache Dellen nebeneinander, jede mit eigenem Glanzlicht",
+    "Shallow dimples, for Roughness and Normal":
+        "Flache Dellen, für Rauheit und Normale",
+    "Shelf":
+        "Leiste",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
-    "Slope 1":
-        "Steigung 1",
-    "Slope 2":
-        "Steigung 2",
-    "Slope 3":
-        "Steigung 3",
-    "Slope 4":
-        "Steigung 4",
+    "Show or hide a shelf of all materials along the 3D Viewport, to click on or to drag onto objects":
+        "Zeigt oder verbirgt eine Leiste aller Materialien an der 3D-Ansicht, zum Anklicken oder Ziehen auf Objekte",
+    "Sidebar":
+        "Seitenleiste",
+    "Slope Ratio 2":
+        "Steigungsverhältnis 2",
+    "Slope Ratio 3":
+        "Steigungsverhältnis 3",
+    "Slope Ratio 4":
+        "Steigungsverhältnis 4",
+    "Slopes":
+        "Steigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
+    "Smooth, with clear reflections that are soft at their edges":
+        "Glatt, mit klaren Spiegelungen, deren Ränder weich sind",
+    "Smooth, with fine scratches in all directions":
+        "Glatt, mit feinen Kratzern in allen Richtungen",
+    "Smooth, with fingerprints and the marks of wiping":
+        "Glatt, mit Fingerabdrücken und Wischspuren",
+    "Smudge Roughness":
+        "Rauheit der Schmierflecken",
+    "Smudged":
+        "Verschmiert",
+    "Softness":
+        "Weichheit",
     "Specular":
         "Glanz",
     "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
         "Schichtstapel im Winkel jeder Facette, allein mit Nodes abgetastet, auf jedem Gerät",
     "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
         "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
+    "Standard":
+        "Standard",
+    "Standard as an OSL script: needs Open Shading Language switched on":
+        "Standard als OSL-Skript: Open Shading Language muss eingeschaltet sein",
+    "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "Standard; Dispersiv bei Diamant, Bleikristall und was sonst durch seinen Regenbogen bekannt ist",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
-    "Sulphides":
-        "Sulfide",
+    "Stopped: nothing was fitted":
+        "Abgebrochen: Es wurde nichts angepasst",
+    "Streaks in circles, as from a lathe or on the foot of a pan":
+        "Striche in Kreisen, wie von der Drehbank oder auf einem Topfboden",
+    "Streaks in circles, for Roughness, Normal and Tangent":
+        "Striche in Kreisen, für Rauheit, Normale und Tangente",
     "Switch Realisation":
         "Umsetzung wechseln",
-    "Take the library off the Asset Browser again; what was dragged from it stays":
-        "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
+    "Table":
+        "Tabelle",
+    "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
+        "Nimmt die Bibliothek wieder aus dem Asset-Browser und mit ihr die Bilder zum Auswählen; Materialien bleiben",
     "Tangent":
         "Tangente",
+    "Tarnish":
+        "Anlauf",
     "Temperature":
         "Temperatur",
     "Texture":
         "Textur",
     "Texture Share":
         "Texturanteil",
-    "The Papers' Figures":
-        "Abbildungen der Veröffentlichungen",
+    "The asset library {:s} was added to your preferences; the extension's own take it out again":
+        "Die Asset-Bibliothek {:s} steht jetzt in den Einstellungen; die der Erweiterung nehmen sie wieder heraus",
+    "The coarse, dull skin of a sand mould, with pits":
+        "Die grobe, matte Haut einer Sandform, mit Löchern",
     "The colour inside that looks most alike, by CIEDE2000":
         "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
+    "The facets' distribution becomes GGX, whose highlights have wider tails.":
+        "Aus der Verteilung der Facetten wird GGX, deren Glanzlichter breiter auslaufen.",
+    "The file {file!r} cannot be read.":
+        "Die Datei {file!r} lässt sich nicht lesen.",
+    "The film's colors over the angle become two: face on and at 82°.":
+        "Aus den Farben des Films über den Winkel werden zwei: von vorn und bei 82°.",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis {most:.0f} "
@@ -528,12 +744,12 @@ TEXTS = {
         "Die Formel von Granier und Heidrich 2003 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
-    "The library is in Preferences, File Paths already":
-        "Die Bibliothek steht schon unter Einstellungen, Dateipfade",
+    "The library is in your preferences already":
+        "Die Bibliothek steht schon in den Einstellungen",
     "The library is not in the preferences":
         "Die Bibliothek steht nicht in den Einstellungen",
-    "The library {:s} is no longer in the preferences":
-        "Die Bibliothek {:s} steht nicht mehr in den Einstellungen",
+    "The library {:s} is no longer shown":
+        "Die Bibliothek {:s} wird nicht mehr gezeigt",
     "The measured points: wavelength_nm, n, k":
         "Die gemessenen Punkte: wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
@@ -546,10 +762,14 @@ TEXTS = {
         "Die Voreinstellung {file!r} lässt sich nicht lesen.",
     "The processor":
         "Der Prozessor",
-    "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
-        "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
-    "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
-        "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
+    "The published formula as an OSL script: needs Open Shading Language switched on in the Render properties, on the CPU or OptiX; EEVEE shows Standard":
+        "Die veröffentlichte Formel als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften "
+        "eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Standard",
+    "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
+        "Die veröffentlichte Formel selbst, auf jedem Gerät: langsamer und mit mehr Rauschen, zum Vergleich; EEVEE "
+        "zeigt Standard",
+    "The rough finish of the paper's copper vase":
+        "Die raue Oberfläche der Kupfervase aus der Veröffentlichung",
     "The same with the colours of the rainbow, each refracted by its own index":
         "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
@@ -562,6 +782,12 @@ TEXTS = {
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The shelf stands in a 3D Viewport in Object Mode":
+        "Die Leiste steht in einer 3D-Ansicht im Objektmodus",
+    "The simplest of the others of which no other comes clearly closer":
+        "Die einfachste der übrigen, der keine andere deutlich näher kommt",
+    "The skin of a sand mould, for Roughness and Normal":
+        "Die Haut einer Sandform, für Rauheit und Normale",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -572,6 +798,8 @@ TEXTS = {
         "Die Prüfung wurde abgebrochen; es gibt keinen Bericht",
     "There is a preset called {:s} already":
         "Es gibt schon eine Voreinstellung namens {:s}",
+    "There is no material of Facet & Film called {name!r}.":
+        "Es gibt kein Material von Facet & Film namens {name!r}.",
     "Thickness":
         "Dicke",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -584,28 +812,43 @@ TEXTS = {
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
     "Thin Walled":
         "Dünnwandig",
-    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
-        "Dieses Blender ist ohne OSL gebaut: die Realisierung Exakt oder Schnell nehmen, die dasselbe Material rendern",
-    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
-        "Diesem Blender fehlt das Modul oslquery, das OSL-Skripte brauchen: die Realisierung Exakt oder Schnell nehmen",
-    "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
-        "Diese Engine rendert stattdessen Schnell: Für diese Umsetzung in den Render-Eigenschaften Cycles wählen",
+    "This Blender is built without OSL: take Reference or Standard, which render the same material":
+        "Dieses Blender ist ohne OSL gebaut: Referenz oder Standard nehmen, die dasselbe Material rendern",
+    "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard":
+        "Diesem Blender fehlt sein Modul oslquery, das OSL-Skripte brauchen: Referenz oder Standard nehmen",
+    "This engine renders Standard in its place: for this realisation choose Cycles in the Render properties":
+        "Diese Engine rendert stattdessen Standard: Für diese Umsetzung Cycles in den Render-Eigenschaften wählen",
     "This file has no material with a measurement: bake a preset first":
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
+    "This material is the file's own already":
+        "Dieses Material gehört der Datei schon",
+    "This model has no roughness that a finish could vary":
+        "Dieses Modell hat keine Rauheit, die eine Oberfläche verändern könnte",
     "Time":
         "Zeit",
     "Tint":
         "Tönung",
+    "To":
+        "Nach",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
+    "Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as they were "
+    "rendered, so nothing can be verified: use one that has a role for data, or start Blender without it.":
+        "Mit dieser OpenColorIO-Konfiguration kommen Pixel nicht so aus einer OpenEXR-Datei zurück, wie sie "
+        "gerendert wurden, also lässt sich nichts prüfen: eine mit einer Rolle für Daten nehmen oder Blender "
+        "ohne sie starten.",
+    "Unevenness":
+        "Ungleichmäßigkeit",
     "Update Materials":
         "Materialien aktualisieren",
     "Usual":
         "Üblich",
     "Vector":
         "Vektor",
+    "Verdict":
+        "Urteil",
     "Verify Against the Formulas":
         "Mit den Formeln prüfen",
     "Verify on CPU":
@@ -620,6 +863,8 @@ TEXTS = {
         "Spannung",
     "Wavelengths":
         "Wellenlängen",
+    "Wear":
+        "Abnutzung",
     "Weight 1":
         "Gewicht 1",
     "Weight 2":
@@ -632,8 +877,14 @@ TEXTS = {
     "air or water.":
         "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas Klares "
         "nennen, etwa Luft oder Wasser.",
+    "What is plugged into {:s} stays behind":
+        "Was an {:s} angeschlossen ist, bleibt zurück",
+    "What the reflectance F may be":
+        "Was der Reflexionsgrad F sein darf",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
         "Worin die Oberfläche liegt: Luft, ein Index wie 1.33 oder ein klares Material wie Wasser",
+    "What this material does with light has no counterpart there: its color and gloss at a glance remain.":
+        "Was dieses Material mit Licht macht, hat dort kein Gegenstück: Es bleiben Farbe und Glanz auf einen Blick.",
     "What to call it":
         "Wie sie heißen soll",
     "What to compare":
@@ -644,14 +895,26 @@ TEXTS = {
         "Worauf die Proben gerendert werden",
     "What to write":
         "Was geschrieben wird",
+    "What was done to the surface":
+        "Wie die Oberfläche bearbeitet wurde",
+    "Where the material goes":
+        "Wohin das Material kommt",
+    "Where to Find It":
+        "Wo es zu finden ist",
     "Which group to add":
         "Welche Gruppe hinzugefügt wird",
-    "Which presets to show pictures of":
-        "Von welchen Voreinstellungen Bilder gezeigt werden",
+    "Which material to apply":
+        "Welches Material angewandt wird",
+    "Width":
+        "Breite",
+    "Wipe Marks":
+        "Wischspuren",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench zeigt nur die Ansichtsfarbe: In den Render-Eigenschaften Cycles wählen",
     "Working Space":
         "Arbeitsfarbraum",
+    "Worn Edges":
+        "Abgenutzte Kanten",
     "Write the active material as its node holds it now: JSON, CSV or MaterialX":
         "Schreibt das aktive Material, wie sein Node es jetzt enthält: JSON, CSV oder MaterialX",
     "Wrote {:s}":
@@ -660,6 +923,8 @@ TEXTS = {
         "Es ist noch keine Voreinstellung gespeichert",
     "a space of its own":
         "einem eigenen Farbraum",
+    "alike":
+        "gleich",
     "average daylight (superseded), 6774 K":
         "mittleres Tageslicht (überholt), 6774 K",
     "broadband fluorescent, D50 simulator, 5000 K":
@@ -698,8 +963,14 @@ TEXTS = {
         "direktes Sonnenlicht am Mittag (überholt), 4874 K",
     "equal energy":
         "energiegleich",
+    "fair":
+        "mäßig",
+    "finish":
+        "Oberfläche",
     "fluorescent, D65 simulator, 6510 K":
         "Leuchtstofflampe, D65-Simulator, 6510 K",
+    "good":
+        "gut",
     "halophosphate fluorescent, 2930 K":
         "Halophosphat-Leuchtstofflampe, 2930 K",
     "halophosphate fluorescent, 3970 K":
@@ -744,6 +1015,14 @@ TEXTS = {
         "stack muss Schichten von außen nach innen nennen, etwa 'SiO2 0-1000 nm / Si', nicht {value!r}.",
     "thickness_range must be (least, greatest) in nm, not ({least:g}, {greatest:g}).":
         "thickness_range muss (kleinste, größte) Dicke in nm sein, nicht ({least:g}, {greatest:g}).",
+    "this model cannot, because away from its highlights it is not evenly diffuse, as where fibres or flakes send light back":
+        "dieses Modell kann es nicht, denn abseits der Glanzlichter ist es nicht gleichmäßig matt, wie wo Fasern oder Plättchen Licht zurückwerfen",
+    "this model cannot, because its colour changes with the angle in another way than one Fresnel term on facets does":
+        "dieses Modell kann es nicht, denn die Farbe ändert sich mit dem Winkel anders als ein Fresnel-Term auf Facetten",
+    "this model cannot, because its highlights have another shape than facets of a few slopes make, as those of flakes":
+        "dieses Modell kann es nicht, denn die Glanzlichter haben eine andere Form als die von Facetten weniger Steigungen, wie bei Plättchen",
+    "this model cannot, because towards grazing it reflects otherwise than facets do":
+        "dieses Modell kann es nicht, denn streifend reflektiert es anders als Facetten",
     "three-band fluorescent, 2980 K":
         "Dreibanden-Leuchtstofflampe, 2980 K",
     "three-band fluorescent, 3000 K":
@@ -782,12 +1061,22 @@ TEXTS = {
         "Leuchtstofflampe, Weiß, 3450 K",
     "{:d} materials baked again":
         "{:d} Materialien neu gebacken",
+    "{:d} objects":
+        "{:d} Objekte",
+    "{:d} used, {:d} left out":
+        "{:d} verwendet, {:d} ausgelassen",
     "{:s} applied":
         "{:s} angewandt",
     "{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}":
         "{:s} aus {:s} gebacken: größter CIEDE2000 der Anpassung {:.2f}",
+    "{:s} fitted, CIEDE2000 {:.2f} on average: {:s}":
+        "{:s} angepasst, CIEDE2000 im Mittel {:.2f}: {:s}",
     "{:s} is linked: update it in {:s}":
         "{:s} ist verknüpft: in {:s} aktualisieren",
+    "{:s} is the file's own now":
+        "{:s} gehört jetzt der Datei",
+    "{:s} on {:s}":
+        "{:s} auf {:s}",
     "{:s} renders by {:s}":
         "{:s} rendert mit: {:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":
@@ -798,22 +1087,56 @@ TEXTS = {
         "{:s} wurde von Hand geändert und bleibt, wie es ist",
     "{:s} was made by a newer Facet & Film: install that one to change it":
         "{:s} stammt von einem neueren Facet & Film: dieses installieren, um es zu ändern",
+    "{:s}: finish {:s}":
+        "{:s}: Oberfläche {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}: Version {:d}, jetzt {:d}",
+    "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":
+        "{:s}: im Mittel über den Winkel {:.1f} CIEDE2000 von {:s}",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":
         "{dataset!r} ist kein Datensatz der Datenbank; einen nennen oder ein Material daraus.",
     "{file!r} cannot be written: {why}; name another place.":
         "{file!r} lässt sich nicht schreiben: {why}; bitte einen anderen Ort nennen.",
+    "{file!r} has a heading that does not name theta_i, phi_i, theta_o, phi_o and a column for every number.":
+        "{file!r} hat eine Kopfzeile, die nicht theta_i, phi_i, theta_o, phi_o und zu jeder Zahl eine Spalte nennt.",
+    "{file!r} has tables of the wrong dimensions: download it again.":
+        "{file!r} hat Tabellen mit falschen Abmessungen: bitte neu herunterladen.",
+    "{file!r} has {count} columns without a heading: name them, as in theta_i phi_i theta_o phi_o 450 550 650.":
+        "{file!r} hat {count} Spalten ohne Kopfzeile: bitte benennen, wie in theta_i phi_i theta_o phi_o 450 550 650.",
+    "{file!r} has {count} usable points; a fit needs {fewest}, and 400 where they are noisy.":
+        "{file!r} hat {count} brauchbare Punkte; eine Anpassung braucht {fewest}, bei Rauschen 400.",
+    "{file!r} has {sizes} entries; a file of the MERL database has 90 × 90 × 180.":
+        "{file!r} hat {sizes} Einträge; eine Datei der MERL-Datenbank hat 90 × 90 × 180.",
+    "{file!r} holds no measured BRDF: take .bsdf of RGL-EPFL, .binary of MERL, or a text of points, each θi φi θo φo and red green blue.":
+        "{file!r} enthält keine gemessene BRDF: bitte .bsdf von RGL-EPFL, .binary von MERL oder einen Text von Punkten nehmen, je θi φi θo φo und Rot Grün Blau.",
+    "{file!r} holds no value above 0: there is nothing to fit.":
+        "{file!r} enthält keinen Wert über 0: Es gibt nichts anzupassen.",
+    "{file!r} holds spectra: take the file of the same material that ends in _rgb.bsdf.":
+        "{file!r} enthält Spektren: bitte die Datei desselben Materials nehmen, die auf _rgb.bsdf endet.",
+    "{file!r} holds values that are no numbers (NaN or infinite): download it again.":
+        "{file!r} enthält Werte, die keine Zahlen sind (NaN oder unendlich): bitte neu herunterladen.",
+    "{file!r} is a Git LFS pointer, not the file itself: fetch it with git lfs pull.":
+        "{file!r} ist ein Verweis von Git LFS, nicht die Datei selbst: bitte mit git lfs pull holen.",
     "{file!r} is a folder; name a file in it.":
         "{file!r} ist ein Ordner; bitte eine Datei darin nennen.",
+    "{file!r} is a web page, not a measurement: download the file that it links to.":
+        "{file!r} ist eine Webseite und keine Messung: bitte die Datei herunterladen, auf die sie verweist.",
+    "{file!r} is anisotropic: it reflects otherwise when it is turned, which the fit does not know; take an isotropic material.":
+        "{file!r} ist anisotrop: Es reflektiert gedreht anders, was die Anpassung nicht kennt; bitte ein isotropes Material nehmen.",
     "{file!r} is being written already; remove {aside!r} if it is not.":
         "{file!r} wird schon geschrieben; wenn nicht, {aside!r} entfernen.",
+    "{file!r} is damaged or ends too early: download it again.":
+        "{file!r} ist beschädigt oder endet zu früh: bitte neu herunterladen.",
+    "{file!r} is larger than half a gigabyte, which no measured BRDF is.":
+        "{file!r} ist größer als ein halbes Gigabyte; das ist keine gemessene BRDF.",
+    "{file!r} is no BRDF of the RGL-EPFL database: it lacks some of its tables.":
+        "{file!r} ist keine BRDF der RGL-EPFL-Datenbank: Es fehlen einige ihrer Tabellen.",
     "{file!r} is protected or no ordinary file; name another.":
         "{file!r} ist geschützt oder keine gewöhnliche Datei; bitte eine andere nennen.",
+    "{file!r} names its values neither red, green and blue nor by wavelengths in nm that reach from 450 to 650.":
+        "{file!r} benennt seine Werte weder rot, grün und blau noch nach Wellenlängen in nm, die von 450 bis 650 reichen.",
     "{material} absorbs light, so it cannot be the medium outside; name a clear one, such as 'water', or its index, such as 1.33.":
         "{material} absorbiert Licht und kann nicht das Medium außen sein; ein klares nennen, etwa 'water', oder dessen Brechzahl, etwa 1.33.",
-    "{material} has no Principled BSDF that comes close: name a measured preset.":
-        "{material} hat keinen Principled BSDF, der nahe kommt: eine gemessene Voreinstellung nennen.",
     "{material} holds no measurement: bake a measured preset first.":
         "{material} enthält keine Messung: erst eine gemessene Voreinstellung backen.",
     "{material} is a library override, whose nodes and slots belong to another file: make it local first (Object, Relations, Make Local)":

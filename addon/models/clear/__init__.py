@@ -31,9 +31,9 @@ def _swatch(record, columns):
     return swatch(record, columns)
 
 
-def _principled(record):
-    from .forms import principled
-    return principled(record)
+def _standin(record):
+    from .forms import standin
+    return standin(record)
 
 
 MODEL = Model(
@@ -43,10 +43,10 @@ MODEL = Model(
     citation="M. Born, E. Wolf, Principles of Optics, 7th edition, 1999",
     parameters=Clear,
     groups=(
-        Group("clear_fast", "Clear Standard", 1, "fast.build",
+        Group("clear_fast", "Clear Standard", 2, "fast.build",
               "Glass, liquids and gems of one index of refraction, coloured by the way through them",
               stand_in="clear_eevee"),
-        Group("clear_dispersive", "Clear Dispersive", 1, "dispersive.build",
+        Group("clear_dispersive", "Clear Dispersive", 2, "dispersive.build",
               "The same with the colours of the rainbow, each refracted by its own index", stand_in="clear_eevee"),
         Group("clear_eevee", "Clear EEVEE", 1, "fast.build_eevee", "What EEVEE shows of clear materials",
               in_menu=False),
@@ -57,10 +57,11 @@ MODEL = Model(
     look=_look,
     baked_names=("ior", "cauchy_b", "cauchy_c", "absorption"),
     follows={"outside": "medium"},
-    forms={"json": Form("JSON", "Everything that was baked", ".json")},
+    forms={"json": Form("JSON", "Everything that was baked", ".json"),
+           "materialx": Form("MaterialX", "open_pbr_surface", ".mtlx")},
     write_form=_write_form,
     swatch=_swatch,
-    principled=_principled,
+    standin=_standin,
     measured=True,
     refracts=True,
 )

@@ -42,14 +42,20 @@ def sheet(builder, sockets, at):
 
 
 def with_straight_shadows(builder, sockets, at, closure):
-    """The closure, but for shadow and diffuse rays, which go straight on, dimmed by surface and body."""
+    """The closure, but for shadow and diffuse rays: what passes goes straight on, dimmed by surface and body.
+
+    What the surface reflects of diffuse rays stays: under a ball much of the sky arrives so.
+    """
     with builder.frame("See-through shadows"):
         shadow = builder.node("ShaderNodeLightPath", output="Is Shadow Ray")
         diffuse = builder.node("ShaderNodeLightPath", output="Is Diffuse Ray")
-        left = widen(1.0 - reflectance(at.cos_theta, maximum(at.n, 1.0 / at.n), 0.0))
-        colour = straight_path(at.sigma, widen(at.length), widen(at.back)) * left
-        straight = builder.node("ShaderNodeBsdfTransparent", {"Color": colour * sockets.tint})
-        return mixed(builder, sockets.see_through * maximum(shadow, diffuse), closure, straight)
+        r = widen(reflectance(at.cos_theta, maximum(at.n, 1.0 / at.n), 0.0))
+        through = straight_path(at.sigma, widen(at.length), widen(at.back)) * (1.0 - r) * sockets.tint
+        straight = builder.node("ShaderNodeBsdfTransparent", {"Color": through})
+        mirror = builder.node("ShaderNodeBsdfAnisotropic", {
+            "Color": r * absorbed(at), "Roughness": sockets.roughness, "Normal": at.normal}, distribution="BECKMANN")
+        return mixed(builder, sockets.see_through * maximum(shadow, diffuse), closure,
+                     builder.add_shaders(straight, mirror))
 
 
 def mixed(builder, share, closure, other):

@@ -6,9 +6,9 @@ from .parameters import CookTorrance
 __all__ = ["MODEL"]
 
 
-def _evaluate(parameters, n, v, l):
+def _evaluate(parameters, n, v, l, tangent=None):
     from .formulas import evaluate
-    return evaluate(parameters, n, v, l)
+    return evaluate(parameters, n, v, l, tangent)
 
 
 def _bake(resolved, viewing, realisation, renderer):
@@ -36,9 +36,9 @@ def _swatch(record, columns):
     return swatch(record, columns)
 
 
-def _principled(record):
-    from .forms import principled
-    return principled(record)
+def _standin(record):
+    from .forms import standin
+    return standin(record)
 
 
 def _respaced(parameters, changed, before, after):
@@ -47,7 +47,7 @@ def _respaced(parameters, changed, before, after):
 
 
 def _as_baked(parameters, facts):
-    """Whether n and k are still those that were fitted."""
+    """Whether n and k are still those that were fitted, under whatever tint."""
     found, baked = (*parameters.n, *parameters.k), (*facts["conductor"]["n"], *facts["conductor"]["k"])
     return all(abs(a - b) <= 1e-5 * max(1.0, abs(b)) for a, b in zip(found, baked))
 
@@ -60,17 +60,17 @@ MODEL = Model(
              "1(1), 1982",
     parameters=CookTorrance,
     groups=(
-        Group("cook_torrance_fast", "Cook-Torrance Fast", 1, "fast.build",
+        Group("cook_torrance_fast", "Cook-Torrance Fast", 3, "fast.build",
               "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE"),
-        Group("cook_torrance_fast_f82", "Cook-Torrance Fast F82", 1, "fast.build_f82",
+        Group("cook_torrance_fast_f82", "Cook-Torrance Fast F82", 3, "fast.build_f82",
               "Cook-Torrance Fast for dielectrics in Blender 4.5, whose conductor Fresnel misses them", in_menu=False),
-        Group("cook_torrance_exact", "Cook-Torrance Exact", 1, "exact.build",
+        Group("cook_torrance_exact", "Cook-Torrance Exact", 2, "exact.build",
               "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device",
               stand_in="cook_torrance_fast"),
-        Group("cook_torrance_osl", "Cook-Torrance OSL", 3, "osl.build",
+        Group("cook_torrance_osl", "Cook-Torrance OSL", 4, "osl.build",
               "The formula of Cook and Torrance 1982 itself as an OSL script", stand_in="cook_torrance_fast",
               osl=True),
-        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 3, "osl.build_fast",
+        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Fast", 4, "osl.build_fast",
               "Native closures from an OSL script", stand_in="cook_torrance_fast", osl=True, in_menu=False),
     ),
     realisations={
@@ -90,10 +90,11 @@ MODEL = Model(
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
         "spectrum_csv": Form("CSV of the Spectrum", "The measured points: wavelength_nm, n, k", ".csv"),
-        "materialx": Form("MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
+        "materialx": Form("MaterialX", "conductor_bsdf, generalized_schlick_bsdf and open_pbr_surface", ".mtlx"),
     },
     write_form=_write_form,
     swatch=_swatch,
-    principled=_principled,
+    fits={"f0": "fits.NormalReflectance", "n_k": "fits.IndexAndExtinction"},
+    standin=_standin,
     measured=True,
 )

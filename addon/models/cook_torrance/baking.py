@@ -3,13 +3,15 @@
 import numpy as np
 
 from ...bake import bake
-from ...bake.baking import conductor_of_curve
-from ...bake.colour import rgb_to_xyz, space_to_space
+from ...bake.baking import FORMULAS, conductor_of_curve
+from ...bake.colour import lab, rgb_to_xyz, space_to_space
+from ...bake.fit import largest_delta_e
 from ...bake.gamut import map_colours
-from ...bake.reflected import ANGLES, AT_NORMAL, Viewing, reflect
+from ...bake.reflected import ANGLES, AT_NORMAL, COMPARED, Viewing, reflect
 from ...reflectance import fresnel
 from ..model import Baked, Look
 from ..realisations import REALISATIONS
+from .formulas import dyed
 from .parameters import CookTorrance
 
 __all__ = ["bake_for", "diffuse_colour", "facts", "look", "respaced"]
@@ -27,7 +29,7 @@ SPECULAR = "specular"
 def bake_for(resolved, viewing, realisation, renderer):
     """The Baked of a measured material for one realisation.
 
-    resolved     an addon.catalogue.resolving.Resolved with constants
+    resolved     an addon.catalogue.resolving.Resolved; without constants its parameters are all there is
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut
     realisation  a name of addon.models.realisations.REALISATIONS
     renderer     a Renderer: whose conductor Fresnel n and k are fitted for
@@ -36,11 +38,44 @@ def bake_for(resolved, viewing, realisation, renderer):
     take for a dielectric where Blender 4.5's conductor misses it by several
     CIEDE2000.
     """
+    if resolved.constants is None:
+        return _as_stated(resolved.preset, realisation, renderer)
     baked, variant = _fitted(resolved, viewing, realisation, renderer)
     found = facts(resolved, baked)
     diffuse = tuple(min(max(channel, 0.0), 1.0) for channel in found["diffuse_rgb"])
     parameters = {**_own(resolved), "n": baked.conductor.n, "k": baked.conductor.k, "diffuse": diffuse}
     return Baked(parameters, found, variant)
+
+
+def _as_stated(preset, realisation, renderer):
+    """The Baked of a preset whose n, k and diffuse colour are given, for linear Rec.709; here in another space.
+
+    n and k stay what they are, whatever the renderer evaluates: its conductor or F82, which comes closer.
+    """
+    stated = dict(preset.parameters)
+    surface = CookTorrance(**stated)
+    if renderer.space != "Rec.709":
+        diffuse = space_to_space("Rec.709", renderer.space) @ surface.diffuse
+        stated["diffuse"] = tuple(np.clip(diffuse, 0.0, 1.0).tolist())
+        stated.update(respaced(surface, {"n", "k"}, "Rec.709", renderer.space))
+        surface = CookTorrance(**stated)
+    variant = BY_CONDUCTOR
+    if REALISATIONS[realisation].native and renderer.formula != "exact":
+        variant = _closer(np.array(surface.n), np.array(surface.k), renderer)
+    facts_ = {"name": preset.name, "title": preset.title, "kind": preset.kind, "note": preset.note}
+    return Baked(stated, facts_, variant)
+
+
+def _closer(n, k, renderer):
+    """Which closure's curve is closer to the exact one of n and k."""
+    c = ANGLES[COMPARED, None]
+    exact = fresnel.conductor(c, n, k)
+    f0 = fresnel.conductor(1.0, n, k)
+    tint = fresnel.f82_tint_of(f0, fresnel.conductor(fresnel.COS_THETA_82, n, k))
+    by_f82 = fresnel.f82(c, np.clip(f0, 0.0, 1.0), np.clip(tint, 0.0, 1.0))
+    off = [largest_delta_e(curve, lab(exact, renderer.space), renderer.space)
+           for curve in (FORMULAS[renderer.formula](c, n, k), by_f82)]
+    return BY_CONDUCTOR if off[0] <= off[1] else BY_F82
 
 
 def facts(resolved, baked):
@@ -106,6 +141,7 @@ def respaced(parameters, changed, before, after):
 def look(parameters):
     """The Look of a CookTorrance: normal reflectance and diffuse colour, by their shares."""
     p, s = parameters, parameters.specular
-    f0 = fresnel.conductor(1.0, np.array(p.n), np.array(p.k))
-    diffuse = (1.0 - s) * np.array(p.diffuse)
+    n, k, normal_reflectance = dyed(p)
+    f0 = fresnel.conductor(1.0, n, k)
+    diffuse = (1.0 - s) * normal_reflectance
     return Look(s * f0 + diffuse, f0, s, p.slopes[0][0], diffuse)

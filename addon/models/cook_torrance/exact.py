@@ -9,10 +9,11 @@ Products start with what is constant as a rule, so that Cycles folds away what
 a material does not use.
 """
 
-from ...operands import dot, less, sqrt, where, widen
-from ...reflectance.directions import facing
-from ...reflectance.fresnel import f82_factor
+from ...operands import dot, less, rotate, sqrt, where, widen
+from ...reflectance.directions import PI, facing
+from ...reflectance.fresnel import f82_factor, tinted
 from ...reflectance.sampling import chosen, narrow_slope, wide_slope
+from ...reflectance.slopes import along_across
 from ..parameters import add_inputs
 from .parameters import TABLE, slope_operands
 from .sampler import (
@@ -26,6 +27,7 @@ from .sampler import (
     native_over_d,
     native_slope,
     scales,
+    stretched,
 )
 
 __all__ = ["build"]
@@ -40,7 +42,8 @@ def build(builder):
     surface = _Surface(builder, sockets)
     with builder.frame("R = s Rs + d Rd"):
         specular = builder.add_shaders(surface.drawn_lobe(), surface.native_lobes())
-        diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.diffuse, "Normal": surface.normal})
+        diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.tint * sockets.diffuse,
+                                                         "Normal": surface.normal})
         total = builder.add_shaders(specular, builder.scale_shader(1.0 - sockets.specular, diffuse))
     builder.output("BSDF", total)
 
@@ -54,9 +57,13 @@ class _Surface:
         self.view = builder.incoming()
         self.normal = facing(builder.normal(sockets.normal), self.view)
         self.n_v = dot(self.normal, self.view)
-        self.fresnel_82 = native_fresnel(sockets.n, sockets.k)
+        self.n, self.k = tinted(sockets.n, sockets.k, sockets.tint)
+        self.fresnel_82 = native_fresnel(self.n, self.k)
+        with builder.frame("Frame"):
+            self.tangent = rotate(builder.tangent(sockets.tangent), self.normal, (2.0 * PI) * sockets.rotation)
         with builder.frame("Width > 0"):
             self.has_width = less(0.0, sockets.width)
+            self.has_native = self.has_width * (1.0 - less(0.0, sockets.anisotropy))
 
     def drawn_lobe(self):
         """The Glossy BSDF about a drawn facet, with what the native lobes leave of f."""
@@ -64,31 +71,38 @@ class _Surface:
         slopes, weights = zip(*self.slopes)
         shares, leans = zip(*[native_lobe(self.n_v, m) for m in slopes])
         with builder.frame("Width > 0"):
-            narrow, wide = zip(*[(narrow_slope(m, sockets.width), wide_slope(m, sockets.width)) for m in slopes])
+            narrow, wide = zip(*[self._lobe_slopes(m) for m in slopes])
         with builder.frame("Draw"):
             m, share, lean, a, wide = chosen(builder.random(SLOPE), weights, slopes, shares, leans, narrow, wide)
             gaussian = less(0.0, sockets.gaussian) * less(builder.random(DISTRIBUTION), sockets.gaussian)
             tilt, azimuth, side = builder.three_randoms(FACET)
         with builder.frame("Roulette"):
-            probability = where(self.has_width, kept(share), 1.0)
+            probability = where(self.has_native, kept(share), 1.0)
             shown = less(builder.random(ROULETTE), probability)
-        x = facet(self.normal, self.view, m, a, wide, FLANKS * self.has_width, gaussian, tilt, azimuth, side)
+        ellipse = stretched(self.normal, self.tangent, m, sockets.anisotropy)
+        x = facet(self.normal, self.view, m, a, wide, FLANKS * self.has_native, gaussian, tilt, azimuth, side, ellipse)
         with builder.frame("Draw"):
             weight = sockets.specular * sum(weights[1:], weights[0])
-        scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c)
-        native = (self.has_width * (native_scale * HEADROOM) * share) * native_over_d(x, m, lean)
+        scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c, ellipse)
+        native = (self.has_native * (native_scale * HEADROOM) * share) * native_over_d(x, m, lean)
         f0, tint = self.fresnel_82
-        colour = facet_weight(x, scale, native, sockets.n, sockets.k, f0, f82_factor(f0, tint), weight, probability)
+        colour = facet_weight(x, scale, native, self.n, self.k, f0, f82_factor(f0, tint), weight, probability)
         with builder.frame("Draw"):
-            squeezed = sqrt(x.a_across / x.a_along)
+            squeezed = sqrt(x.narrow / x.broad)
             glossy = builder.node("ShaderNodeBsdfAnisotropic", {
-                "Color": colour, "Normal": x.h, "Tangent": x.across,
-                "Roughness": sqrt(x.a_across / squeezed), "Anisotropy": 1.0 - squeezed,
+                "Color": colour, "Normal": x.h, "Tangent": x.lobe_tangent,
+                "Roughness": sqrt(x.narrow / squeezed), "Anisotropy": 1.0 - squeezed,
             }, distribution="BECKMANN")
             return builder.scale_shader(shown, glossy)
 
+    def _lobe_slopes(self, m):
+        """Slopes of the lobes about drawn facets, before they are stretched: never wider than on a round surface."""
+        longest, _ = along_across(m, self.sockets.anisotropy)
+        shorter, width = m / longest, self.sockets.width
+        return narrow_slope(longest, width) * shorter, wide_slope(longest, width) * shorter
+
     def native_lobes(self):
-        """The Metallic BSDFs under f, one for each slope; nothing at Sampling Width 0.
+        """The Metallic BSDFs under f, one for each slope; nothing at Sampling Width 0, nor under an anisotropic f.
 
         A closure's weight is held to 1, so the published scale adds up four equal ones.
         """
@@ -108,4 +122,4 @@ class _Surface:
         }, distribution="BECKMANN", fresnel_type="F82")
         _, native_scale = scales(m, sockets.gaussian, sockets.published, sockets.gaussian_c)
         part = HEADROOM * native_scale / (1.0 + 3.0 * sockets.published)
-        return self.builder.scale_shader((w * sockets.specular * self.has_width * part) * share, metallic)
+        return self.builder.scale_shader((w * sockets.specular * self.has_native * part) * share, metallic)

@@ -12,14 +12,23 @@ the Gaussian distribution.
 
 import numpy as np
 
-from ...operands import dot, less, maximum, minimum, term, where, widen
-from ...reflectance.directions import PI, cosines
-from ...reflectance.fresnel import conductor
+from ...operands import dot, less, maximum, minimum, rotate, term, where, widen
+from ...reflectance.directions import PI, around_z, cosines, frame_along, half_vector
+from ...reflectance.fresnel import conductor, tinted
 from ...reflectance.masking import v_cavity
-from ...reflectance.slopes import beckmann, gaussian, gaussian_c, mixture
+from ...reflectance.slopes import (
+    along_across,
+    beckmann,
+    elliptic_beckmann,
+    elliptic_gaussian,
+    elliptic_gaussian_c,
+    gaussian,
+    gaussian_c,
+    mixture,
+)
 
-__all__ = ["ENERGY", "PUBLISHED", "specular", "diffuse", "reflectance", "slope_distribution", "cook_torrance",
-           "evaluate", "reflected"]
+__all__ = ["ENERGY", "PUBLISHED", "specular", "diffuse", "reflectance", "slope_distribution",
+           "elliptic_distribution", "cook_torrance", "dyed", "evaluate", "reflected"]
 
 PUBLISHED = 1.0
 """Factor on Rs as printed."""
@@ -81,8 +90,28 @@ def slope_distribution(distribution="beckmann", scale=ENERGY, printed_c=1.0):
     return lambda cos_alpha, m: gaussian(cos_alpha, m, gaussian_c(m))
 
 
+def elliptic_distribution(h_t, h_b, anisotropy, distribution="beckmann", scale=ENERGY, printed_c=1.0):
+    """The same, stretched along a tangent T by an anisotropy.
+
+    h_t, h_b  H·T and H·B, ``(...)``
+    the rest  as :func:`slope_distribution` and :func:`addon.reflectance.slopes.along_across` have it
+
+    >>> float(elliptic_distribution(0.0, 0.0, 0.5, "gaussian", PUBLISHED, 3.0)(1.0, 0.2))
+    3.0
+    """
+    if distribution == "beckmann":
+        return lambda n_h, m: elliptic_beckmann(h_t, h_b, n_h, *along_across(m, anisotropy))
+
+    def stretched(n_h, m):
+        along, across = along_across(m, anisotropy)
+        c = printed_c if scale == PUBLISHED else elliptic_gaussian_c(along, across)
+        return elliptic_gaussian(h_t, h_b, n_h, along, across, c)
+    return stretched
+
+
 def cook_torrance(n, v, l, *, slopes, index, extinction, s=1.0, normal_reflectance=0.0,
-                  distribution="beckmann", scale=ENERGY, printed_c=1.0, masking=None, fresnel=conductor):
+                  distribution="beckmann", scale=ENERGY, printed_c=1.0, anisotropy=0.0, tangent=None, masking=None,
+                  fresnel=conductor):
     """The whole BRDF R(V, L) at every wavelength or channel, ``(..., 3)`` in 1/sr.
 
     n, v, l               unit directions, ``(..., 3)``
@@ -92,6 +121,7 @@ def cook_torrance(n, v, l, *, slopes, index, extinction, s=1.0, normal_reflectan
     normal_reflectance    π Rd, ``(..., 3)``
     distribution          "beckmann" or "gaussian"
     scale, printed_c      ENERGY or PUBLISHED; c of the Gaussian in the latter
+    anisotropy, tangent   of the facets' slopes, [0, 1), and what it is along, ``(..., 3)``; around z where None
     masking               function of (cosines, m) in place of the V-cavity G, such
                           as ``lambda c, m: smith_beckmann(c.n_v, c.n_l, m)``
     fresnel               function of (cos θ, n, k)
@@ -105,6 +135,10 @@ def cook_torrance(n, v, l, *, slopes, index, extinction, s=1.0, normal_reflectan
     c = cosines(n, v, l)
     f = fresnel(widen(c.v_h), index, extinction)
     d_of = slope_distribution(distribution, scale, printed_c)
+    if anisotropy > 0.0:
+        t, b = frame_along(n, around_z(n) if tangent is None else tangent)
+        h = half_vector(v, l)
+        d_of = elliptic_distribution(dot(h, t), dot(h, b), anisotropy, distribution, scale, printed_c)
     if masking is None:
         d_g = mixture(d_of, c.n_h, slopes) * v_cavity(c.n_h, c.n_v, c.n_l, c.v_h)
     else:
@@ -114,10 +148,22 @@ def cook_torrance(n, v, l, *, slopes, index, extinction, s=1.0, normal_reflectan
     return reflectance(s, r_s, above * diffuse(normal_reflectance))
 
 
-def evaluate(parameters, n, v, l):
+def dyed(parameters):
+    """(n, k, π Rd) of a CookTorrance under its tint, ``(3,)`` each.
+
+    >>> from .parameters import CookTorrance
+    >>> [channel.tolist() for channel in dyed(CookTorrance(k=(0.0,) * 3, n=(1.5,) * 3, tint=(0.5,) * 3))]
+    [[1.5, 1.5, 1.5], [0.0, 0.0, 0.0], [0.4, 0.4, 0.4]]
+    """
+    tint = np.array(parameters.tint)
+    return (*tinted(np.array(parameters.n), np.array(parameters.k), tint), tint * np.array(parameters.diffuse))
+
+
+def evaluate(parameters, n, v, l, tangent=None):
     """The whole BRDF of a CookTorrance, ``(..., 3)`` in 1/sr: what its materials render.
 
     n, v, l  unit normal and directions to the viewer and to the light, ``(..., 3)``
+    tangent  what anisotropy is along before it is rotated, ``(..., 3)``; by default around the z axis, as on a ball
 
     >>> from .parameters import CookTorrance
     >>> up = np.array([0.0, 0.0, 1.0])
@@ -125,9 +171,13 @@ def evaluate(parameters, n, v, l):
     array([0.012732, 0.012732, 0.012732])
     """
     p = parameters
-    return cook_torrance(n, v, l, slopes=p.slopes, index=np.array(p.n), extinction=np.array(p.k), s=p.specular,
-                         normal_reflectance=np.array(p.diffuse), distribution=p.distribution,
-                         scale=PUBLISHED if p.scale == "published" else ENERGY, printed_c=p.gaussian_c)
+    index, extinction, normal_reflectance = dyed(p)
+    if p.anisotropy > 0.0:
+        tangent = rotate(around_z(n) if tangent is None else tangent, n, 2.0 * PI * p.rotation)
+    return cook_torrance(n, v, l, slopes=p.slopes, index=index, extinction=extinction, s=p.specular,
+                         normal_reflectance=normal_reflectance, distribution=p.distribution,
+                         scale=PUBLISHED if p.scale == "published" else ENERGY, printed_c=p.gaussian_c,
+                         anisotropy=p.anisotropy, tangent=tangent)
 
 
 def reflected(lights, n, v, brdf, *, ambient=0.0, ambient_reflectance=0.0, unblocked=1.0):

@@ -1,46 +1,83 @@
 """The table of Cook and Torrance's parameters, by the paper's symbols."""
 
-import dataclasses
-
 from ...errors import FacetFilmError, number
+from ...operands import clip, maximum
 from ..parameters import Choice, Colour, Direction, Number, Parameter, Socket, Triple, checked_class
 
-__all__ = ["CookTorrance", "MOST_SLOPES", "TABLE", "slope_operands", "slopes_of"]
+__all__ = ["CookTorrance", "MOST_SLOPES", "SMALLEST_SLOPE", "TABLE", "slope_operands", "slopes_of"]
 
 MOST_SLOPES = 4
 SMALLEST_SLOPE = 0.001
-UNUSED = (0.2, 0.4, 0.1, 0.6)
+USUAL_SLOPE = 0.2
+UNUSED_RATIOS = (1.0, 2.0, 0.5, 3.0)
 """What the sliders of slopes stand at that have no weight."""
 
+SAME = 1e-4
+"""Relative difference up to which a roughness and a slope are the same."""
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+
+def rms_slope(roughness):
+    """m = roughness², as Blender's closures have it, and never quite 0.
+
+    >>> rms_slope(0.3), rms_slope(0.2 ** 0.5), rms_slope(0.0)
+    (0.09, 0.2, 0.001)
+    """
+    return max(round(roughness * roughness, 12), SMALLEST_SLOPE)  # a root squared is the number again
+
+
+def _shown_slope(roughness):
+    return f"m {rms_slope(roughness):.3g}"
+
+
+class Roughness(Number):
+    """The first slope said otherwise: √m. All slopes follow it in proportion."""
+
+    unsaid = None
+
+
 class Slopes(Parameter):
-    """Up to four pairs (m, w), two sockets each."""
+    """Up to four pairs (m, w): the first m from Roughness, the others as ratios to it, and a weight each."""
+
+    unsaid = None
 
     def sockets(self):
-        """Slope and weight of each; the first two open to see."""
-        (m, w), = self.default
-        return tuple(socket for j in range(MOST_SLOPES) for socket in (
-            Socket(f"Slope {j + 1}", f"m{j + 1}", "FLOAT", m if j == 0 else UNUSED[j],
-                   "Rms slope m of the facets: 0.1 is polished, 0.2 satin, 0.5 rough", SMALLEST_SLOPE, 1.0,
-                   subtype="FACTOR", panel="More Slopes" if j else "", never_zero=True),
-            Socket(f"Weight {j + 1}", f"w{j + 1}", "FLOAT", 0.0 if j else w,
-                   "Share w of this slope; the shares of all slopes sum to 1", 0.0, 1.0, subtype="FACTOR",
-                   panel="More Slopes" if j else "")))
+        """All but Roughness: a ratio for each slope after the first, and a weight each."""
+        found = []
+        for j in range(1, MOST_SLOPES + 1):
+            if j > 1:
+                found.append(Socket(f"Slope Ratio {j}", f"ratio{j}", "FLOAT", UNUSED_RATIOS[j - 1],
+                                    f"Rms slope m{j} of this roughness over that of the first, m{j}/m1", 0.001, 1000.0,
+                                    panel=self.panel, never_zero=True))
+            found.append(Socket(f"Weight {j}", f"w{j}", "FLOAT", 1.0 if j == 1 else 0.0,
+                                f"Share w{j} of this slope; the shares of all slopes sum to 1", 0.0, 1.0,
+                                subtype="FACTOR", panel=self.panel))
+        return tuple(found)
+
+    def is_in(self, values):
+        """Of a group of today, or of one of 0.1.0, which held the slopes themselves."""
+        return "Weight 1" in values and ("Roughness" in values or "Slope 1" in values)
 
     def checked(self, value):
         """As :func:`slopes_of`."""
         return slopes_of(value)
 
     def written(self, value):
-        """All four pairs, those that are not used with a weight of 0."""
-        pairs = value + tuple((m, 0.0) for m in UNUSED[len(value):])
-        return {f"{name} {j}": pair[i] for j, pair in enumerate(pairs, 1) for i, name in enumerate(("Slope", "Weight"))}
+        """Ratios and weights of all four, those that are not used with a weight of 0."""
+        first = value[0][0]
+        pairs = [(m / first, w) for m, w in value] + [(ratio, 0.0) for ratio in UNUSED_RATIOS[len(value):]]
+        ratios = {f"Slope Ratio {j}": ratio for j, (ratio, _) in enumerate(pairs, 1) if j > 1}
+        return {**ratios, **{f"Weight {j}": w for j, (_, w) in enumerate(pairs, 1)}}
 
     def read(self, values):
-        """Those that have a weight; the first where none has."""
-        pairs = tuple((values[f"Slope {j}"], values[f"Weight {j}"]) for j in range(1, MOST_SLOPES + 1))
-        return tuple(pair for pair in pairs if pair[1] > 0.0) or pairs[:1]
+        """The first, and those others that have a weight."""
+        numbers = range(1, MOST_SLOPES + 1)
+        if "Roughness" in values:
+            first = rms_slope(values["Roughness"])
+            slopes = [first * (values[f"Slope Ratio {j}"] if j > 1 else 1.0) for j in numbers]
+        else:
+            slopes = [values[f"Slope {j}"] for j in numbers]
+        pairs = [(min(m, 1.0), values[f"Weight {j}"]) for j, m in zip(numbers, slopes)]
+        return (pairs[0], *(pair for pair in pairs[1:] if pair[1] > 0.0))
 
     def range_text(self):
         """One to four pairs."""
@@ -74,16 +111,39 @@ def slopes_of(slopes):
 
 
 TABLE = (
+    Roughness(name="roughness", symbol="√m", socket="Roughness", default=USUAL_SLOPE ** 0.5, low=0.0, high=1.0,
+              subtype="FACTOR", never_zero=True, beside=_shown_slope,
+              tip="Its square is the rms slope m of the facets: 0.3 is polished, 0.45 satin, 0.7 rough. All slopes "
+                  "follow it in proportion"),
+    Colour(name="tint", socket="Tint", default=(1.0, 1.0, 1.0), low=0.0, high=1.0,
+           tip="Dyes what metals reflect, at normal incidence by just this, and the diffuse part; highlights of "
+               "dielectrics, whose k is 0, stay as they are"),
+    Number(name="anisotropy", symbol="a", socket="Anisotropy", default=0.0, low=0.0, below=1.0, slider=(0.0, 0.999),
+           subtype="FACTOR",
+           tip="Above 0 the slopes are m/√(1 - 0.9 a) along the tangent, where they end at 1, and m √(1 - 0.9 a) "
+               "across it"),
+    Number(name="rotation", socket="Rotation", default=0.0, low=0.0, high=1.0, subtype="FACTOR",
+           tip="Turns the tangent about the normal; 1 is a whole turn"),
     Number(name="specular", symbol="s", socket="Specular", default=1.0, low=0.0, high=1.0, subtype="FACTOR",
            tip="Share s of the light that the facets reflect; the rest d = 1 - s is diffuse"),
     Colour(name="diffuse", symbol="π Rd", socket="Diffuse Color", default=(0.8, 0.8, 0.8), low=0.0, high=1.0,
            tip="Diffuse reflectance pi Rd, in the paper the reflectance at normal incidence"),
+    Number(name="sampling_width", socket="Sampling Width", key="width", default=0.2, low=0.0, high=1.0,
+           subtype="FACTOR", realisations=("exact", "osl"),
+           tip="0: the formula itself, by mirrors, lit only by what they happen to hit; above: narrow lobes, "
+               "as a share of the slope, which lamps of any size light and which blur the formula a little"),
+    Direction(name="normal", symbol="N", socket="Normal",
+              tip="Shading normal; the surface's own where nothing is plugged in"),
+    Direction(name="tangent", socket="Tangent",
+              tip="Direction that anisotropy is along; around the object's Z axis where nothing is plugged in"),
     Triple(name="n", symbol="n", socket="Refractive Index n", default=(0.2, 0.92, 1.1), above=0.0, high=100.0,
-           slider=(0.001, 100.0), tip="Real part of the complex refractive index for red, green and blue"),
+           slider=(0.001, 100.0), panel="Refractive Index",
+           tip="Real part of the complex refractive index for red, green and blue"),
     Triple(name="k", symbol="k", socket="Extinction k", default=(3.91, 2.45, 2.14), low=0.0, high=100.0,
+           panel="Refractive Index",
            tip="Imaginary part of the complex refractive index for red, green and blue; 0 for dielectrics"),
-    Slopes(name="slopes", symbol="m, w", default=((0.2, 1.0),),
-           tip="Pairs of the facets' rms slope m and its share w"),
+    Slopes(name="slopes", symbol="m, w", default=((USUAL_SLOPE, 1.0),), panel="Slopes",
+           tip="Pairs of the facets' rms slope m and its share w; the first m is the roughness squared"),
     Choice(name="distribution", symbol="D", socket="Gaussian", key="gaussian", default="beckmann",
            options=("beckmann", "gaussian"), panel="Model",
            tip="0: Beckmann slope distribution; 1: Gaussian slope distribution"),
@@ -92,12 +152,6 @@ TABLE = (
                               "which can reflect more light than arrives"),
     Number(name="gaussian_c", symbol="c", socket="Gaussian c", default=1.0, low=0.0, high=1000.0, panel="Model",
            tip="The paper's arbitrary factor of the Gaussian distribution, used in the published scale only"),
-    Direction(name="normal", symbol="N", socket="Normal",
-              tip="Shading normal; the surface's own where nothing is plugged in"),
-    Number(name="sampling_width", socket="Sampling Width", key="width", default=0.2, low=0.0, high=1.0,
-           subtype="FACTOR", realisations=("exact", "osl"),
-           tip="0: the formula itself, by mirrors, lit only by what they happen to hit; above: narrow lobes, "
-               "as a share of the slope, which lamps of any size light and which blur the formula a little"),
 )
 
 
@@ -110,10 +164,56 @@ class CookTorrance(checked_class("CookTorrance", TABLE)):
     Traceback (most recent call last):
     ...
     addon.errors.FacetFilmError: parameter 'speculr' is unknown; did you mean 'specular' or 'scale'? Valid: \
-'specular', 'diffuse', 'n', 'k', 'slopes', 'distribution', 'scale', 'gaussian_c', 'sampling_width'.
+'roughness', 'tint', 'anisotropy', 'rotation', 'specular', 'diffuse', 'sampling_width', 'n', 'k', 'slopes', \
+'distribution', 'scale', ….
     """
+
+    def __post_init__(self):
+        """Roughness and slopes from each other, where one of them is not said."""
+        super().__post_init__()
+        slopes = self.slopes or _in_proportion(((USUAL_SLOPE, 1.0),), self.roughness)
+        roughness = slopes[0][0] ** 0.5 if self.roughness is None else self.roughness
+        m = rms_slope(roughness)
+        if abs(m - max(slopes[0][0], SMALLEST_SLOPE)) > SAME * m:
+            raise FacetFilmError("A roughness of {roughness:g} means a rms slope of {m:g}, and slopes begin with "
+                                 "{first:g}: give one of them.", roughness=roughness, m=m, first=slopes[0][0])
+        object.__setattr__(self, "slopes", slopes)
+        object.__setattr__(self, "roughness", roughness)
+
+    def check(self, row, value):
+        """As the row has it; roughness and slopes may be left to each other."""
+        return None if value is None and row.unsaid is None else row.checked(value)
+
+    def changed(self, **parameters):
+        """The same with other values for the named parameters; slopes keep their proportions at another roughness.
+
+        >>> copper = CookTorrance(slopes=[(0.4, 0.4), (0.2, 0.6)])
+        >>> [(round(m, 4), w) for m, w in copper.changed(roughness=0.2 ** 0.5).slopes]
+        [(0.2, 0.4), (0.1, 0.6)]
+        >>> round(copper.changed(slopes=[(0.09, 1.0)]).roughness, 6)
+        0.3
+        """
+        roughness = parameters.get("roughness")
+        if "slopes" in parameters:
+            parameters.setdefault("roughness", None)
+        elif roughness is not None:
+            parameters["slopes"] = _in_proportion(self.slopes, ROUGHNESS.checked(roughness))
+        return super().changed(**parameters)
+
+
+ROUGHNESS = TABLE[0]
+
+
+def _in_proportion(slopes, roughness):
+    """The (m, w) pairs, the first of this roughness; as they are where that is None."""
+    if roughness is None:
+        return slopes
+    factor = rms_slope(roughness) / slopes[0][0]
+    return tuple((min(factor * m, 1.0), w) for m, w in slopes)
 
 
 def slope_operands(sockets):
     """The (m, w) pairs among the operands that :func:`addon.models.parameters.add_inputs` made."""
-    return [(getattr(sockets, f"m{j}"), getattr(sockets, f"w{j}")) for j in range(1, MOST_SLOPES + 1)]
+    first = maximum(sockets.roughness * sockets.roughness, SMALLEST_SLOPE)
+    further = [clip(first * getattr(sockets, f"ratio{j}"), SMALLEST_SLOPE, 1.0) for j in range(2, MOST_SLOPES + 1)]
+    return [(m, getattr(sockets, f"w{j}")) for j, m in enumerate((first, *further), 1)]

@@ -23,9 +23,11 @@ from ...operands import (
     absolute,
     clip,
     cos,
+    cross,
     dot,
     exp,
     inverse_sqrt,
+    length,
     less,
     log,
     maximum,
@@ -38,13 +40,13 @@ from ...operands import (
     where,
     widen,
 )
-from ...reflectance.directions import PI, tangent_of
+from ...reflectance.directions import PI, frame_along, tangent_of
 from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, f82_unclamped
 from ...reflectance.masking import smith_lambda_of_slope
 from ...reflectance.sampling import narrowed, squared_tilt, towards_flanks
-from ...reflectance.slopes import gaussian_c
+from ...reflectance.slopes import along_across, elliptic_gaussian_c, gaussian_c
 
-__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "facet", "native_over_d",
+__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "stretched", "facet", "native_over_d",
            "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
@@ -142,12 +144,13 @@ def native_fresnel(n, k):
 
 
 @term("Scale")
-def scales(m, gaussian, published, printed_c):
+def scales(m, gaussian, published, printed_c, ellipse=None):
     """Factors on the energy-conserving lobe of slope m: of f, and of the native lobe, at most four.
 
     gaussian   0 for Beckmann's D, 1 for the Gaussian
     published  0 for the energy scale, 1 for the printed one: four times as
                bright, with printed_c in place of the c that normalises
+    ellipse    of :func:`stretched`
 
     Between its peak and its foot the Gaussian lies a little below Beckmann's D,
     and the native lobe with it.
@@ -155,13 +158,32 @@ def scales(m, gaussian, published, printed_c):
     >>> scales(0.2, 0.0, 0.0, 1.0), scales(0.2, 0.0, 1.0, 1.0)
     ((1.0, 1.0), (4.0, 4.0))
     """
-    printed = 4.0 * (1.0 + gaussian * (printed_c / gaussian_c(m) - 1.0))
+    printed = 4.0 * (1.0 + gaussian * (printed_c / _c(m, ellipse) - 1.0))
     scale = 1.0 + published * (printed - 1.0)
     return scale, minimum(scale, 1.0 + 3.0 * published) * (1.0 - 0.03 * gaussian)
 
 
+def stretched(n, tangent, m, anisotropy):
+    """How the facets' slopes are stretched: what :func:`facet` takes as its ellipse.
+
+    n, tangent  the unit normal and what the slopes are stretched along, ``(..., 3)``
+    m           rms slope, ``(...)``
+    anisotropy  [0, 1); where it is 0 all that this adds to the nodes folds away
+
+    By name: is_elliptic; t, the unit tangent; along and across, slopes over m.
+
+    >>> from addon.reflectance.directions import direction
+    >>> ellipse = stretched(direction(0.0, 0.0), direction(1.0, 0.0), 0.2, 0.6)
+    >>> round(float(ellipse.along), 4), round(float(ellipse.across), 4)
+    (1.4744, 0.6782)
+    """
+    along, across = along_across(m, anisotropy)
+    t, _ = frame_along(n, tangent)
+    return SimpleNamespace(is_elliptic=less(0.0, anisotropy), t=t, along=along / m, across=across / m)
+
+
 @term("H")
-def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
+def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse=None):
     """A facet of rms slope m drawn as the viewer sees it, for a lobe about it.
 
     n, v       unit directions, ``(..., 3)``
@@ -170,13 +192,16 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
     flanks     [0, 1], how far the drawing keeps to the flanks of the lobe; 0 draws as D
     gaussian   0 for Beckmann's D, 1 for the Gaussian
     u_...      independent and even in [0, 1)
+    ellipse    of :func:`stretched`: slopes are drawn as if they were round, and stretched with their lobe
 
     Returns by name: h, the facet's normal ``(..., 3)``; across, the unit
-    direction at right angles to n in which it is tilted, ``(..., 3)``; a_across
-    and a_along, slopes of the lobe in its own frame; stretch, see
+    direction at right angles to n in which it is tilted, ``(..., 3)``; the lobe in its
+    own frame, by lobe_tangent ``(..., 3)`` and its slopes narrow along that and broad
+    across it; a_across and a_along, its slopes across and along the ring about n, and
+    covariance, of both; stretch, see
     :func:`addon.reflectance.sampling.narrowed`.  And at the mean of what the
     lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; the tilt's
-    tangent; v_across; level, V·H over N·H; D as exp(−steepness/m²)/(m·flat)²; and
+    tangent; v_across; v_along; level, V·H over N·H; D as exp(−steepness/m²)/(m·flat)²; and
     density, D over the drawn density's part that depends on the distribution and
     the side.
 
@@ -196,10 +221,13 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
     grown = along * along + (-(a * a))
     weighed2 = (stretch * stretch) * drawn2 + 0.5 * grown
     thinner = sqrt((-1.0 / m2) * grown + 1.0)
+    stretched_across, out = (None, 1.0) if ellipse is None else _stretched_direction(n, u_azimuth, ellipse)
+    real2 = out * out
     tangent_drawn, cos_drawn, tangent, n_h, flat, density, to_angle = (
-        where(gaussian, g, b) for g, b in zip(_gaussian(drawn, weighed2, m), _beckmann(drawn2, drawn, weighed2)))
+        where(gaussian, g, b) for g, b in zip(_gaussian(out * drawn, real2 * weighed2, m, ellipse),
+                                              _beckmann(real2 * drawn2, out * drawn, real2 * weighed2)))
 
-    across = rotate(tangent_of(n), n, (2.0 * PI) * u_azimuth)
+    across = rotate(tangent_of(n), n, (2.0 * PI) * u_azimuth) if ellipse is None else stretched_across
     n_v, across_v = dot(n, v), dot(across, v)
     # V·H/cos α is n_v + aside on the one side of the groove, and n_v - aside on the other; one of them may be hidden.
     aside = tangent_drawn * across_v
@@ -209,11 +237,70 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side):
 
     v_across = side * across_v
     level = maximum(tangent * v_across + n_v, SMALLEST_LEVEL)
-    return SimpleNamespace(
+    x = SimpleNamespace(
         h=normalize(n + widen(side * tangent_drawn) * across), across=across,
         a_across=a * (to_angle * to_angle), a_along=along * to_angle, stretch=stretch,
         n_h=n_h, n_v=n_v, n_l=(2.0 * level) * (n_h * n_h) - n_v, v_h=n_h * level, tangent=tangent, v_across=v_across,
         level=level, steepness=weighed2, flat=flat, density=density * thinner / (seen * drawn_density))
+    x.lobe_tangent, x.narrow, x.broad, x.covariance, x.v_along = across, x.a_across, x.a_along, 0.0, 0.0
+    if ellipse is not None:
+        x.v_along = side * dot(cross(n, across), v)
+        _stretch_lobe(x, n, out, cos_drawn, to_angle, ellipse)
+    return x
+
+
+def _stretched_direction(n, u_azimuth, ellipse):
+    """The unit direction that a facet is tilted in, and how far the stretching takes its tilt out."""
+    t, is_elliptic = ellipse.t, ellipse.is_elliptic
+    even = rotate(where(widen(is_elliptic), t, tangent_of(n)), n, (2.0 * PI) * u_azimuth)
+    slope = widen(ellipse.across) * even + widen((ellipse.along - ellipse.across) * dot(even, t)) * t
+    return where(widen(is_elliptic), normalize(slope), even), where(is_elliptic, length(slope), 1.0)
+
+
+def _c(m, ellipse):
+    """The c of the Gaussian that normalises."""
+    if ellipse is None:
+        return gaussian_c(m)
+    return where(ellipse.is_elliptic, elliptic_gaussian_c(ellipse.along * m, ellipse.across * m), gaussian_c(m))
+
+
+def _c_m2(m, ellipse):
+    """c mt mb."""
+    product = 1.0 if ellipse is None else where(ellipse.is_elliptic, ellipse.along * ellipse.across, 1.0)
+    return _c(m, ellipse) * (m * m) * product
+
+
+@term("Ellipse")
+def _stretch_lobe(x, n, out, cos_drawn, to_angle, ellipse):
+    """Give a facet the lobe that its round one becomes: what is e in even slopes is M e, M stretching along t.
+
+    Of the round lobe's axes the one across the ring comes to lie along the tilt again, `out` times as long; the other
+    one, along the ring, comes to lie askew.
+    """
+    is_elliptic, product = ellipse.is_elliptic, ellipse.along * ellipse.across
+    # Where the tilt is along (c, s) from t, the ring's axis has these components along the tilt and across it.
+    c, s = dot(x.across, ellipse.t), dot(cross(ellipse.t, x.across), n)
+    squares = ellipse.across * ellipse.across - ellipse.along * ellipse.along
+    askew, aside = out * (squares / product) * (c * s), product / out
+    narrow, along = x.a_across * out, x.a_along
+    skew = along * (askew * to_angle)
+    across2, along2 = narrow * narrow + skew * skew, (along * aside) * (along * aside)
+    covariance = skew * (along * aside)
+    mean, half = 0.5 * (across2 + along2), 0.5 * (across2 - along2)
+    apart = sqrt(half * half + covariance * covariance)
+    broad = sqrt(mean + apart)
+    # Of what is a circle but for rounding, and has no axes, they are those of the round lobe.
+    nearly = 1e-3 * mean
+    lies_across = less(half, nearly)
+    u = where(lies_across, (apart - half) + nearly, -covariance)
+    w = where(lies_across, -covariance, apart + half)
+    tangent = widen(u / cos_drawn) * x.across + widen(w) * cross(n, x.across)
+    x.lobe_tangent = where(widen(is_elliptic), normalize(tangent), x.lobe_tangent)
+    x.narrow = where(is_elliptic, narrow * (along * aside) / maximum(broad, SMALLEST), x.narrow)
+    x.broad = where(is_elliptic, broad, x.broad)
+    x.a_across = where(is_elliptic, sqrt(across2), x.a_across)
+    x.a_along = where(is_elliptic, along * aside, x.a_along)
+    x.covariance = is_elliptic * covariance
 
 
 def _beckmann(drawn2, drawn, weighed2):
@@ -226,7 +313,7 @@ def _beckmann(drawn2, drawn, weighed2):
     return drawn, cos_drawn, sqrt(weighed2), n_h, n_h * n_h, cos_drawn / n_h, cos_drawn
 
 
-def _gaussian(drawn, weighed2, m):
+def _gaussian(drawn, weighed2, m, ellipse=None):
     """What :func:`facet` needs of a facet with α = drawn, weighed at another, in its order.
 
     In the plane of (α cos φ, α sin φ) dω = sin α/α d²α.
@@ -234,7 +321,7 @@ def _gaussian(drawn, weighed2, m):
     alpha_drawn, weighed = minimum(drawn, STEEPEST), sqrt(weighed2)
     alpha = maximum(minimum(weighed, STEEPEST), 1e-4)
     sine, n_h, cos_drawn = sin(alpha), cos(alpha), cos(alpha_drawn)
-    c_m2 = gaussian_c(m) * (m * m)
+    c_m2 = _c_m2(m, ellipse)
     return (sin(alpha_drawn) / cos_drawn, cos_drawn, sine / n_h, n_h, inverse_sqrt(c_m2),
             less(weighed, STEEPEST) * c_m2 * sine * cos_drawn / alpha, 1.0)
 
@@ -293,10 +380,13 @@ def sharpened_v_cavity(x):
     """
     steep = (2.0 * x.n_v) / (x.v_h * x.v_h)
     shadowed = less(x.n_l, x.n_v)
-    across = x.a_across * (-8.0 * (shadowed * ((x.n_h * x.n_h) * x.tangent)) + steep * x.v_across)
-    along = x.a_along * (steep * x.n_h)
+    fall = -8.0 * (shadowed * ((x.n_h * x.n_h) * x.tangent)) + steep * x.v_across
+    across = x.a_across * fall
+    turn = steep * x.n_h
+    along = x.a_along * turn
     v_along2 = (1.0 - x.n_v * x.n_v) - x.v_across * x.v_across
-    reach = minimum(sqrt(1.69 * (across * across) + (along * along) * v_along2), 1.0)
+    both = x.covariance * (2.6 * (fall * (turn * x.v_along)))
+    reach = minimum(sqrt(1.69 * (across * across) + (along * along) * v_along2 + both), 1.0)
     uncut = minimum(x.n_l, x.n_v) * (2.0 / x.level)
     near = maximum(reach - absolute(uncut - 1.0), 0.0)
     return near * (0.25 * (near / maximum(reach, SMALLEST))) + clip(uncut, 0.0, 1.0)

@@ -29,7 +29,7 @@ def bake_for(resolved, viewing):
     low, high = table.thickness_range_nm
     if "thickness_range" not in stated:
         stated.setdefault("thickness", 0.5 * (low + high))
-    stated.setdefault("see_through", float(table.stack.outside == table.stack.below == "air"))
+    stated.setdefault("see_through", float(table.is_pane))
     return Baked(stated, facts_of(preset, Film(**stated), table))
 
 
@@ -38,13 +38,8 @@ def facts_of(preset, parameters, table):
     m = float(slope(parameters.roughness))
     errors = {name: errors._asdict() for name, errors in realisation_errors(table, max(m, 0.01), COUNT).items()}
     return {"name": preset.name, "title": preset.title, "kind": preset.kind,
-            "note": " ".join(filter(None, (preset.note, preset.estimated))) or table_said(table),
+            "note": " ".join(filter(None, (preset.note, preset.estimated))) or table.said(),
             **table.to_dict(), "slope": m, "realisations": errors}
-
-
-def table_said(table):
-    """One sentence on a table."""
-    return f"{table.to_dict()['stack']}: largest CIEDE2000 of the table {table.delta_e_2000_max:.2f}."
 
 
 def look(parameters, place=None):

@@ -2,16 +2,28 @@
 
 import numpy as np
 
+from ... import export
+from ...bake import bake
+from ...bake.standin_fit import COS_THETA, fit_metal, fit_mirror
 from ...export import json_text
-from .tables import table_of
+from ...export.standin import LOST, Standin
+from ..moving import moved
+from ..standins import standin_of
+from .formulas import slope
+from .tables import ABSORBING, stack_of, table_of
 
-__all__ = ["principled", "write_form"]
+__all__ = ["standin", "write_form"]
+
 
 ANGLES = 91
 
 
 def write_form(form, record):
-    """The text of a form: "json", or "csv" of the exact curve over angle at the material's thickness."""
+    """The text of a form: "json", "materialx", or "csv" of the exact curve over angle at the material's thickness."""
+    if form == "materialx":
+        here = moved(record)
+        said = f"{record.title}; {record.parameters.stack}"
+        return export.materialx_of_standin(record.baked["name"], said, standin_of(record), film=_film_on_a_metal(here))
     if form == "json":
         return json_text(record.to_dict())
     cosines, rgb = _curve(record)
@@ -19,17 +31,42 @@ def write_form(form, record):
     return "\n".join(["cos_theta,r,g,b", *rows]) + "\n"
 
 
-def principled(record):
-    """The settings of a Principled BSDF with the film's colour face on and at 82°, or None for what is seen through."""
+def standin(record):
+    """The Standin: a metal with the film's colours over the angle; what is seen through as one sheet of one film."""
     p = record.parameters
-    if p.see_through > 0.0:
-        return None
+    if p.see_through > 0.5:
+        film = _one_film(record)
+        return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=film[1] if film else 1.5, transmission=1.0,
+                       thin_walled=True, film=film, lost=(LOST["field"],) if p.thickness_range else ())
     table = table_of(p.stack, record.viewing)
-    face_on, grazing = (table.at(c, _thickness(p)) for c in (1.0, 1.0 / 7.0))
-    schlick = face_on + (1.0 - face_on) * (6.0 / 7.0) ** 5
-    tint = np.clip(grazing / np.maximum(schlick, 1e-6), 0.0, 1.0)
-    return {"Metallic": 1.0, "Base Color": (*map(float, face_on), 1.0), "Specular Tint": (*map(float, tint), 1.0),
-            "Roughness": p.roughness}
+    mirror = np.clip(table.at(COS_THETA, _thickness(p)), 0.0, 1.0)
+    seen = p.specular * mirror + (1.0 - p.specular) * np.array(p.diffuse)
+    lost = (LOST["film"], LOST["field"]) if p.thickness_range else (LOST["film"],)
+    surface = {"roughness": p.roughness, "lost": lost}
+    if p.specular < 1.0:
+        fit = fit_metal(seen, p.specular)
+        return Standin(fit.base, fit.beside[0], specular=0.0, delta_e=(fit.delta_e_mean,) * 2, **surface)
+    fit, alone = fit_mirror(seen), fit_mirror(seen, with_edge=False)
+    return Standin(fit.base, 1.0, edge=fit.beside, base_alone=alone.base,
+                   delta_e=(fit.delta_e_mean, alone.delta_e_mean), **surface)
+
+
+def _film_on_a_metal(record):
+    """(n, k, m, thickness in nm, index) of one film on what absorbs, or None for other stacks."""
+    p, below = record.parameters, stack_of(record.parameters.stack).below_constants
+    film = _one_film(record)
+    if film is None or p.see_through > 0.0 or float(np.asarray(below.at(550.0)[1]).ravel()[0]) < ABSORBING:
+        return None
+    metal = bake(below, **record.viewing).conductor
+    return metal.n, metal.k, float(slope(p.roughness)), *film
+
+
+def _one_film(record):
+    """(thickness in nm, n at the d line) of a stack of one film, or None."""
+    films = stack_of(record.parameters.stack).films
+    if len(films) != 1:
+        return None
+    return float(_thickness(record.parameters)), float(np.asarray(films[0].constants.at(587.56)[0]).ravel()[0])
 
 
 def _curve(record):

@@ -6,6 +6,7 @@ import hashlib
 
 import numpy as np
 
+from ...bake.film_curve import curve_table, is_curve
 from ...bake.film_table import film_table, smallest_table
 from ...bake.reflected import Viewing
 from ...bake.stack_notation import parse
@@ -20,8 +21,6 @@ OF_METALS, OF_DARK = 0.5, 1.0
 """CIEDE2000 that a table may be off by: on what absorbs, and where little is reflected."""
 ABSORBING = 0.01
 """Extinction of what is below from which a film's colour is bright."""
-LOSSLESS = 2e-3
-"""Absorbed shares up to this are rounding and gamut mapping of films that absorb nothing."""
 
 
 @functools.lru_cache(maxsize=32)
@@ -31,7 +30,7 @@ def stack_of(text):
 
 
 def table_of(text, viewing, of="reflected"):
-    """The FilmTable of a stack in words.
+    """The FilmTable of a stack in words, or the CurveTable of a Fresnel curve.
 
     viewing  options of addon.bake.reflected.Viewing, {} for its defaults
     of       "reflected", of the smallest size that comes close enough; "transmitted", of the same size
@@ -42,6 +41,8 @@ def table_of(text, viewing, of="reflected"):
 @functools.lru_cache(maxsize=16)
 def _table(text, viewing, of):
     light = Viewing(**dict(viewing))
+    if is_curve(text):
+        return curve_table(text, light)
     stack = _in_medium(stack_of(text), light.medium)
     if of == "transmitted":
         rows, columns = _table(text, viewing, "reflected").size
@@ -83,9 +84,4 @@ def _made(text, viewing, clear):
 def _absorbed(reflected, transmitted):
     """1 − R − T, ``(rows, columns, 3)``; nothing where it is rounding."""
     found = np.clip(1.0 - reflected.rgb - transmitted.rgb, 0.0, 1.0)
-    return found if _absorbs(reflected.stack) else np.zeros_like(found)
-
-
-def _absorbs(stack):
-    visible = np.arange(400.0, 701.0, 10.0)
-    return any(float(np.max(film.constants.at(visible)[1])) * film.high > LOSSLESS for film in stack.films)
+    return found if reflected.absorbs else np.zeros_like(found)

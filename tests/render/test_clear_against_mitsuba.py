@@ -1,0 +1,45 @@
+"""Clear materials in Cycles against Mitsuba's pictures, a wavelength at a time, as recorded and as it renders now."""
+
+import numpy as np
+import pytest
+
+from addon.verify import scenes
+from tools import compare_clear as compare
+from tools.clear_scenes import SCENES
+
+ABOUT, REFERENCE = compare.record()
+SAMPLES, BLOCK = {"brilliant": 2048}, 4
+"""So few samples have noise besides: means of blocks are compared; tools/compare_clear.py compares pixels."""
+
+
+def off(name, make):
+    scene = compare.cycles_scene(name, lambda *_: make(SCENES[name]().material), len(REFERENCE[name]),
+                                 SAMPLES.get(name, 256))
+    return compare.difference(scenes.render_seeds(scene, 2), REFERENCE[name], BLOCK)
+
+
+@pytest.mark.parametrize("name", compare.MOST)
+def test_dispersive_is_the_spectral_picture(name):
+    found = off(name, compare.dispersive)
+    print(f"{name}: mean CIEDE2000 {found:.2f}")
+    assert found <= compare.MOST[name]
+
+
+def test_the_comparison_fails_for_one_index():
+    assert off("prism", compare.standard) > 2.0 * compare.MOST["prism"]
+
+
+def test_water_in_a_glass_is_one_common_face():
+    reference = REFERENCE["water in a glass"]
+    picture = compare.water_in_a_glass(reference.shape[1], 512)
+    assert compare.column_error(picture, reference) <= compare.MOST_COLUMN
+
+
+def test_mitsuba_still_renders_what_is_recorded():
+    import mitsuba
+
+    from tools import mitsuba_clear
+    mitsuba.set_variant("scalar_rgb")
+    found = mitsuba_clear.nested(resolution=24, samples=256)
+    recorded = REFERENCE["water in a glass"].reshape(6, 4, 24, 4).mean(axis=(1, 3))
+    assert np.abs((found - recorded).mean(axis=0)).max() < 0.03
