@@ -10,7 +10,7 @@ import warnings
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from . import models
+from . import finishes, models
 from .models.realisations import REALISATIONS
 
 if TYPE_CHECKING:
@@ -20,10 +20,11 @@ if TYPE_CHECKING:
     from .measured import Fit
     from .models.record import Record
 
-__all__ = ["MODELS", "REALISATIONS", "bake", "create_fresnel_ramp", "create_material", "export", "fit",
-           "principled_twin", "rebake", "record_of", "switch_realisation"]
+__all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake", "create_fresnel_ramp", "create_material",
+           "export", "fit", "principled_twin", "rebake", "record_of", "switch_realisation"]
 
 MODELS = models.names()
+FINISHES = finishes.names()
 
 
 def bake(preset: Any, **options: Any) -> Bake:
@@ -44,7 +45,8 @@ def bake(preset: Any, **options: Any) -> Bake:
 
 def create_material(model: str | None = None, *, preset: Any = None, realisation: str = "usual",
                     name: str | None = None, material: bpy.types.Material | None = None,
-                    viewing: Mapping[str, Any] | None = None, **parameters: Any) -> bpy.types.Material:
+                    viewing: Mapping[str, Any] | None = None,
+                    finish: str | None = None, **parameters: Any) -> bpy.types.Material:
     """A Cycles material.
 
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
@@ -57,7 +59,9 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
-    parameters   of the model, over the preset's own: see docs/parameters.md
+    finish       a name of FINISHES: see docs/finishes.md; "" for the preset's own surface; by default that of the
+                 material that is made over
+    parameters   of the model, over the preset's own and the finish's: see docs/parameters.md
 
     Returns the bpy.types.Material.  Raises FacetFilmError, before anything is
     made or changed, for an unknown name, a value out of range, a material that
@@ -65,11 +69,14 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     """
     from .blender import compat
     from .blender.datablocks import locked, materials
+    from .models.finishing import kept_finish
     from .models.making import made
     if material is not None:
         locked.require_editable(material)
     materials.require_name(name)
-    record = made(model, preset, realisation, compat.renderer(), viewing, **parameters)
+    record = made(model, preset, realisation, compat.renderer(), viewing, finish or "", **parameters)
+    if finish is None and materials.our_node(material) is not None:
+        record = kept_finish(materials.record_of(material), record)
     _require_osl(record.realisation)
     _warn_without_osl(record.realisation)
     return materials.create(record, name, material)
@@ -109,6 +116,22 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     _require_osl(realisation)
     _warn_without_osl(realisation)
     materials.write(material, new)
+
+
+def apply_finish(material: bpy.types.Material, finish: str) -> None:
+    """Give one of our materials another finish; what it is made of stays.
+
+    material  a bpy.types.Material made by :func:`create_material`
+    finish    a name of FINISHES; "" for the preset's own surface
+
+    Raises FacetFilmError for an unknown finish, with the nearest ones, a material whose model has no roughness, and
+    one that is not ours or linked.
+    """
+    from .blender.datablocks import locked, materials
+    from .models.finishing import finished
+    record = materials.record_of(material)
+    locked.require_editable(material)
+    materials.write(material, finished(record, finish))
 
 
 def rebake(material: bpy.types.Material, viewing: Mapping[str, Any] | None = None) -> None:

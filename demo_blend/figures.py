@@ -14,7 +14,8 @@ from pathlib import Path
 
 from .job import Clock, Job
 
-MODULES = ("vases", "twelve_vases", "watch", "plots", "layers", "gallery", "clear_bodies", "spectrum", "side_by_side")
+MODULES = ("vases", "twelve_vases", "watch", "plots", "layers", "gallery", "finishes", "clear", "spectrum",
+           "side_by_side")
 """Of demo_blend, each with FIGURES."""
 
 

@@ -28,6 +28,10 @@ class Layout:
 
     column = box = split = row
 
+    def panel(self, _name, default_closed=False):
+        """(head, body) of a part that opens and closes; Blender gives no body of one that is closed."""
+        return Layout(self), None if default_closed else Layout(self)
+
     def label(self, *, text="", **_options):
         """Note the text."""
         self.texts.append(text)

@@ -22,6 +22,7 @@ import bpy  # noqa: E402
 from addon import api  # noqa: E402
 from addon.blender.datablocks.groups import all_groups, model_of_group, node_group  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
+from addon.finishes import of_group  # noqa: E402
 from tools import preview_scene  # noqa: E402
 from tools.png_file import indexed_png_bytes  # noqa: E402
 
@@ -67,6 +68,8 @@ def _material(name):
     if identifier in SHOWN_BY:
         return api.create_material(preset=SHOWN_BY[identifier])
     model = model_of_group(identifier)
+    if model is None:
+        return api.create_material(preset="copper", finish=of_group(identifier).name)
     realisation = model.realisation_of(identifier)
     if realisation is None:
         return _emitting(node_group(identifier), "Field")

@@ -19,7 +19,7 @@ NOTHING = 1e-9
 FARTHEST = 1e4
 """m: what lets half the light through from farther away is clear."""
 
-ROUNDS, PATIENCE = 80, 20
+ROUNDS, PATIENCE = 50, 20
 """Of weighing up what is farthest off: at most, and how many that better nothing end it."""
 
 FIRST_STEPS, STEPS = 30, 12

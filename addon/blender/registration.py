@@ -13,6 +13,7 @@ from .operators import (
     bake,
     check,
     export,
+    finish,
     fit_brdf,
     make_local,
     match_space,
@@ -25,16 +26,17 @@ from .operators import (
     verify,
 )
 from .panels import asset_library as asset_library_panel
+from .panels import finish as finish_panel
 from .panels import load_ahead, material, measurement, node_menu, node_sidebar, picker, preferences, versions
 
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *measurements.CLASSES, *fit_brdf.CLASSES,
            *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES, *make_local.CLASSES, *match_space.CLASSES,
-           *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *add_group.CLASSES,
-           *apply_to_node.CLASSES, *verify.CLASSES, *material.CLASSES, *versions.CLASSES, *measurement.CLASSES,
-           *material.LAST_CLASSES, *asset_library_panel.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES,
-           *preferences.CLASSES)
+           *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *finish.CLASSES,
+           *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES, *material.CLASSES, *finish_panel.CLASSES,
+           *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES, *asset_library_panel.CLASSES,
+           *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
 ATTACHED = (translations, settings, material, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []

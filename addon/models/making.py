@@ -6,6 +6,7 @@ from typing import Any
 from ..catalogue.resolving import resolve
 from ..errors import FacetFilmError, choice
 from . import DEFAULT, named, names
+from .finishing import under_finish
 from .model import Renderer
 from .parameters import Colour
 from .record import Record, Source
@@ -19,7 +20,7 @@ __all__ = ["USUAL", "exported", "made", "rebaked", "renewed", "switched"]
 
 
 def made(model: str | None = None, preset: Any = None, realisation: str = USUAL, renderer: Renderer = ANY_RENDERER,
-         viewing: Mapping[str, Any] | None = None, **parameters: Any) -> Record:
+         viewing: Mapping[str, Any] | None = None, finish: str = "", **parameters: Any) -> Record:
     """The Record of a preset or measurement, with some parameters of one's own.
 
     model        name of a model; by default the preset's
@@ -27,7 +28,8 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     realisation  one that the model has; by default the preset's own, as "dispersive" of diamond, else "fast"
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
-    parameters   of the model, over the preset's own
+    finish       name of a finish, over the preset's own surface; "" for that
+    parameters   of the model, over the preset's own and the finish's
 
     Raises FacetFilmError for an unknown name, a preset of another model, or a value out of range.
 
@@ -42,15 +44,16 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     if realisation == USUAL:
         realisation = _usual(chosen, resolved)
     choice("realisation", realisation, chosen.realisations)
+    finish, parameters = under_finish(finish, chosen, parameters)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
-        return _with_group(Record(chosen.name, realisation, "", 0, checked), chosen)
+        return _with_group(Record(chosen.name, realisation, "", 0, checked, finish=finish), chosen)
     _require_of(chosen, resolved)
     options = _viewing(chosen, resolved, renderer, viewing)
     baked = chosen.bake(resolved, options, realisation, renderer)
     typed = _typed_colours(chosen, resolved, options.get("space", renderer.space))
     checked = chosen.parameters().changed(**{**baked.parameters, **typed}).changed(**parameters)
-    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts)
+    record = Record(chosen.name, realisation, "", 0, checked, _source(resolved), options, baked.facts, finish)
     return _with_group(record, chosen, baked.variant)
 
 
@@ -166,9 +169,11 @@ def _typed_colours(model, resolved, space):
 
 
 def _viewing(model, resolved, renderer, viewing):
-    """All options of a bake, the file's working space where none is named; {} where nothing is measured."""
+    """All options of a bake, the file's working space where none is named; of what is stated and not measured the space
+    alone, and {} where a model has none.
+    """
     if resolved.constants is None and not model.picture:
-        return {}
+        return {"space": renderer.space} if model.measured else {}
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})
     return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,

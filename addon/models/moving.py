@@ -5,7 +5,7 @@ import numpy as np
 from ..bake.colour import converted
 from ..catalogue.resolving import resolve
 from . import named
-from .making import rebaked
+from .making import ANY_RENDERER, made, rebaked
 from .model import Renderer
 from .parameters import Colour
 from .record import Record
@@ -21,8 +21,8 @@ def space_of(record: Record) -> str:
     return record.viewing.get("space", "")
 
 
-def moved(record: Record, renderer: Renderer, *, colours: bool = True) -> Record:
-    """The Record in the renderer's space.
+def moved(record: Record, renderer: Renderer = ANY_RENDERER, *, colours: bool = True) -> Record:
+    """The Record in the renderer's space, by default linear Rec.709.
 
     colours  whether the colours that the user set are in the record's space, as in a preset of the user's own; not in
              a file, whose colours Blender converts when its space changes, and when something is appended
@@ -30,7 +30,6 @@ def moved(record: Record, renderer: Renderer, *, colours: bool = True) -> Record
     What is still as it was baked is baked again; what the user changed is moved with the least error that its
     parameters allow.
 
-    >>> from .making import made
     >>> gold = made(preset="gold")
     >>> moved(gold, Renderer(space="ACEScg")) == made(preset="gold", renderer=Renderer(space="ACEScg"))
     True
@@ -38,13 +37,23 @@ def moved(record: Record, renderer: Renderer, *, colours: bool = True) -> Record
     before, after = space_of(record), renderer.space
     if before in ("", after):
         return record
-    model, new = named(record.model), rebaked(record, renderer)
+    model, new = named(record.model), _in(record, renderer)
     changed = {name: getattr(record.parameters, name) for name in _changed(model, record)}
     typed = {row.name: getattr(record.parameters, row.name) for row in record.parameters.TABLE
              if isinstance(row, Colour) and (row.name in changed or row.name not in model.baked_names)}
     kept = {**changed, **model.respaced(record.parameters, set(changed), before, after),
             **{name: converted(rgb, before, after) if colours else rgb for name, rgb in typed.items()}}
     return new.changed(parameters=new.parameters.changed(**kept))
+
+
+def _in(record, renderer):
+    """The Record baked again for the renderer's space, or, of a preset that is stated, made again."""
+    if record.measured:
+        return rebaked(record, renderer)
+    model = named(record.model)
+    new = made(record.model, record.source.name, record.realisation, renderer)
+    stated = {name: getattr(new.parameters, name) for name in model.baked_names}
+    return new.changed(parameters=record.parameters.changed(**stated))
 
 
 def _changed(model, record):
@@ -61,7 +70,8 @@ def _baked_then(model, record, resolved):
     """What the bake gave in the record's own space, by the formula that comes closest to what the record holds."""
     bakes = [model.bake(resolved, dict(record.viewing), record.realisation, Renderer(formula, space_of(record)))
              for formula in ("exact", "blender-4.5")[:2 if "conductor" in record.baked else 1]]
-    return min((found.parameters for found in bakes), key=lambda was: sum(
+    usual = {name: getattr(model.parameters(), name) for name in model.baked_names}
+    return min(({**usual, **found.parameters} for found in bakes), key=lambda was: sum(
         not _close(getattr(record.parameters, name), was[name]) for name in model.baked_names))
 
 

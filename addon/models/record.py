@@ -6,10 +6,11 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
+from ..finishes.feeding import held as finish_held
 from . import named
 from .parameters import Checked
 
-__all__ = ["FORMAT", "Record", "Source", "baked_in", "is_measured", "from_dict", "from_json", "space_in"]
+__all__ = ["FORMAT", "Record", "Source", "baked_in", "finish_in", "is_measured", "from_dict", "from_json", "space_in"]
 
 FORMAT = 2
 """Of the JSON; 1 is what 0.1.0 kept, a bare bake without parameters."""
@@ -50,6 +51,8 @@ class Record:
     viewing      options that it was baked with: illuminant, observer, space, adapt, gamut, medium; {} where nothing
                  was baked
     baked        what was found then: title, colours, errors, citation; {} where nothing was baked
+    finish       name of the finish that was put on it, or ""
+    controls     {socket: value} of the finish's group where they are not the finish's own
     """
 
     model: str
@@ -60,6 +63,8 @@ class Record:
     source: Source | None = None
     viewing: Mapping[str, Any] = dataclasses.field(default_factory=dict)
     baked: Mapping[str, Any] = dataclasses.field(default_factory=dict)
+    finish: str = ""
+    controls: Mapping[str, Any] = dataclasses.field(default_factory=dict)
 
     @property
     def title(self) -> str:
@@ -80,7 +85,7 @@ class Record:
         return {"format": FORMAT, "model": self.model, "realisation": self.realisation, "group": self.group,
                 "version": self.version, "parameters": self.parameters.to_dict(),
                 "source": self.source and dataclasses.asdict(self.source), "viewing": dict(self.viewing),
-                "baked": dict(self.baked)}
+                "baked": dict(self.baked), "finish": self.finish, "controls": dict(self.controls)}
 
     def to_json(self) -> str:
         """The same as JSON text."""
@@ -96,18 +101,25 @@ def from_json(text: str, current: Record) -> Record:
     """The Record of a material's JSON, of this version or of 0.1.0.
 
     text     as :meth:`Record.to_json` or 0.1.0 wrote it; "" and what is no JSON say nothing
-    current  what the material's nodes hold: model, realisation, group, version and parameters, which users change
+    current  what the material's nodes hold: model, realisation, group, version, parameters, and the finish whose group
+             feeds them, which users change
     """
     held = _held(text)
     if "format" not in held:
         return _of_0_1_0(held, current)
-    return current.changed(source=_source(held["source"]), viewing=held["viewing"], baked=held["baked"])
+    return current.changed(source=_source(held["source"]), viewing=held["viewing"], baked=held["baked"],
+                           finish=finish_held(held.get("finish", ""), current.finish))
 
 
 def baked_in(text: str) -> Mapping[str, Any]:
     """What was baked, alone, of a material's JSON: what panels draw at each redraw."""
     held = _held(text)
     return held.get("baked", {}) if "format" in held else _without_source(held)
+
+
+def finish_in(text: str) -> str:
+    """Name of the finish, alone, of a material's JSON."""
+    return _held(text).get("finish", "")
 
 
 def space_in(text: str) -> str:
@@ -137,7 +149,8 @@ def from_dict(held: Mapping[str, Any]) -> Record:
     parameters = {name: _tuples(value) for name, value in held["parameters"].items()}
     return Record(held["model"], held["realisation"], held["group"], held["version"],
                   named(held["model"]).parameters(**parameters), _source(held["source"]), held["viewing"],
-                  held["baked"])
+                  held["baked"], held.get("finish", ""),
+                  {name: _tuples(value) for name, value in held.get("controls", {}).items()})
 
 
 def _of_0_1_0(held, current):

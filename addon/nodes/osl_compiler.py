@@ -54,10 +54,23 @@ def why_no_osl():
     return ""
 
 
+OF_BLENDER = ("OpenImageIO", "oslquery")
+"""The second needs the first."""
+
+
 def _find_oslquery():
     """Blender as a Python module keeps oslquery in its own folder, which it does not put on the path itself."""
     if importlib.util.find_spec("oslquery") is None:
         version = f"python{sys.version_info.major}.{sys.version_info.minor}"
         folder = Path(bpy.utils.resource_path("LOCAL")) / "python" / "lib" / version / "site-packages"
-        if (folder / "oslquery").exists():
-            sys.path.append(str(folder))
+        if all((folder / name).exists() for name in OF_BLENDER):
+            for name in OF_BLENDER:
+                _load(name, folder / name / "__init__.py")
+
+
+def _load(name, file):
+    """Load a package of Blender's own under its name, and leave the path that modules are searched on as it is."""
+    spec = importlib.util.spec_from_file_location(name, file, submodule_search_locations=[str(file.parent)])
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)

@@ -10,7 +10,7 @@ __all__ = ["bake_command", "check_command", "fit_command", "list_command", "sear
 SHOWN_COLOURS = 9
 """Of a strip, in a table or JSON."""
 VIEWING = ("illuminant", "observer", "space", "adapt", "gamut", "medium")
-SURFACE = ("roughness", "tint", "anisotropy", "rotation")
+SURFACE = ("finish", "roughness", "tint", "anisotropy", "rotation")
 FORMS = ("json", "csv", "spectrum_csv", "materialx")
 
 
@@ -24,7 +24,11 @@ def _json(value):
 
 
 def list_command(options):
-    """The presets of all models, or the illuminants."""
+    """The presets of all models, the finishes, or the illuminants."""
+    if options.what == "finishes":
+        from ..finishes import all_finishes
+        found = all_finishes()
+        return _json([vars(finish) for finish in found]) if options.json else shown.finishes(found)
     if options.what == "illuminants":
         from ..spectra import illuminants
         titles = {name: illuminants.title(name) for name in illuminants.names()}
@@ -71,10 +75,9 @@ def _form(options, resolved):
         from ..models import DEFAULT, named
         return _json(named(resolved.preset.model or DEFAULT).facts(resolved, baked))
     if options.materialx:
-        from ..models.making import made
-        p = made(preset=resolved, realisation="exact", viewing=_given(options, *VIEWING)).parameters
-        return export.materialx(baked, slopes=p.slopes, specular=p.specular, diffuse=p.diffuse,
-                                anisotropy=p.anisotropy, rotation=p.rotation).rstrip()
+        from ..models.making import exported, made
+        export.require_exact(baked)
+        return exported(made(preset=resolved, viewing=_given(options, *VIEWING)), "materialx").rstrip()
     return shown.baked(baked)
 
 

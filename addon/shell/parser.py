@@ -16,9 +16,9 @@ def parser():
         description="Measured metals and layered films: colours and parameters for Cycles.")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
 
-    command = _command(commands, "list", work.list_command, "list the presets, or the illuminants")
-    command.add_argument("what", nargs="?", choices=("presets", "illuminants"), default="presets",
-                         help="presets (the default) or illuminants")
+    command = _command(commands, "list", work.list_command, "list the presets, finishes or illuminants")
+    command.add_argument("what", nargs="?", choices=("presets", "finishes", "illuminants"),
+                         default="presets", help="presets (the default), finishes or illuminants")
 
     command = _command(commands, "bake", work.bake_command, "colours over angle and fitted parameters of a material",
                        _add_forms)
@@ -134,6 +134,8 @@ def _add_viewing_options(command, gamut=True):
 
 def _add_surface_options(command):
     """Of the surface, in place of the preset's own."""
+    command.add_argument("--finish", default=argparse.SUPPRESS, metavar="NAME",
+                         help="what was done to the surface, as brushed: see list finishes")
     for name, what in (("--roughness", "0 to 1, the root of the rms slope m"),
                        ("--anisotropy", "0 to below 1: slopes longer along the tangent than across it"),
                        ("--rotation", "0 to 1 turns of the tangent")):

@@ -1,7 +1,7 @@
 """What the shell's commands print for people."""
 
-__all__ = ["baked", "checked", "columns", "fitted", "found", "illuminants", "presets", "record", "spread", "swatch",
-           "ways"]
+__all__ = ["baked", "checked", "columns", "finishes", "fitted", "found", "illuminants", "presets", "record", "spread",
+           "swatch", "ways"]
 
 SHOWN_DEGREES = (0, 30, 60, 75, 80, 85, 89)
 CHANNELS = ("red", "green", "blue")
@@ -31,6 +31,15 @@ def _words(value):
     if not isinstance(value, list):
         return f"{value:g}" if isinstance(value, float) else str(value)
     return (", " if value and isinstance(value[0], list) else " ").join(map(_words, value))
+
+
+def finishes(found):
+    """A line a finish.
+
+    found  Finishes
+    """
+    return columns([(finish.name, finish.title, " ".join(f"{m:g}" for m, _ in finish.slopes),
+                     f"{finish.anisotropy:g}" if finish.anisotropy else "", finish.source) for finish in found])
 
 
 def illuminants(titles):

@@ -31,6 +31,7 @@ STACKS = (("TiO2 0-200 nm / Ti", 120.0), ("SiO2 0-1000 nm / Si", 300.0), ("TiO2 
 COUNTS = {"fast": 5, "exact": 2}
 """How many of them a realisation is held to; noise takes samples away."""
 CLEAR = (("soap 5-1000 nm / air", 400.0), ("MgF2 0-200 nm / glass", 100.0))
+COATED = ("MgF2 0-200 nm / glass", 100.0)
 BALANCE = {"fast": 1e-3, "exact": 1.5e-3}
 """Of R + T from 1."""
 
@@ -46,7 +47,10 @@ def checks(realisations):
     return found + [Check(MODEL, realisation, f"{stack}: R + T", "a sphere in an even white world: difference of "
                           "its mean from the world", balance, {"stack": stack, "thickness": d, "roughness": 0.0,
                                                             "see_through": 1.0})
-                    for realisation in realisations for stack, d in CLEAR]
+                    for realisation in realisations for stack, d in CLEAR] + [
+        Check(MODEL, realisation, f"{COATED[0]}: R + T, solid", "the same of a coated ball that refracts", balance,
+              {"stack": COATED[0], "thickness": COATED[1], "roughness": 0.0, "see_through": 1.0, "ior_below": 1.52})
+        for realisation in realisations]
 
 
 def on_a_sphere(realisation, rendered, parameters):
@@ -69,7 +73,9 @@ def on_a_sphere(realisation, rendered, parameters):
 def balance(realisation, rendered, parameters):
     """What a closed, clear film lets through and reflects of an even world is all of it."""
     scene = scenes.empty_scene(16, samples=4096)
-    scene.cycles.max_bounces = scene.cycles.transparent_max_bounces = scene.cycles.glossy_bounces = 64
+    for kind in ("max", "transparent_max", "transmission", "glossy"):
+        setattr(scene.cycles, f"{kind}_bounces", 64)
+    scene.cycles.min_light_bounces = 64  # no roulette
     scenes.add_sphere(materials.create(made(MODEL, realisation=realisation, **rendered)))
     scenes.set_world(scene, 1.0)
     picture = scenes.render(scene)

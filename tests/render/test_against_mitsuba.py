@@ -38,6 +38,24 @@ def test_baked_metal_is_the_spectral_sphere(metal, light):
     assert passes(found)
 
 
+def test_gold_is_as_near_as_the_gamut_allows():
+    """Outside of Rec.709: the nearest colour inside stays below 2.0 on the mean, where the others go further."""
+    sky = {gamut: differences(lambda gamut=gamut: api.create_material(
+        preset="gold", slopes=[(ABOUT["slope"], 1.0)], viewing={"gamut": gamut}), "gold", "sky")
+        for gamut in ("nearest", "clip", "desaturate")}
+    for gamut, (mean, most) in sky.items():
+        print(f"gold, sky, {gamut}: CIEDE2000 {mean:.2f} mean, {most:.2f} largest")
+    assert sky["nearest"][0] <= 1.2 and sky["nearest"][1] <= 2.0
+    assert sky["nearest"][0] < sky["clip"][0] < sky["desaturate"][0]
+    assert differences(lambda: compare.baked("gold", ABOUT["slope"]), "gold", "sky") == sky["nearest"]
+
+
+@pytest.mark.parametrize("metal", IN_GAMUT)
+def test_a_metal_inside_the_gamut_is_the_same_by_any_mapping(metal):
+    nearest, left = (api.bake(metal, gamut=gamut).conductor for gamut in ("nearest", "leave"))
+    assert np.allclose(nearest.n, left.n, rtol=1e-3) and np.allclose(nearest.k, left.k, rtol=1e-3)
+
+
 @pytest.mark.parametrize("what, material", [
     ("another slope", lambda: compare.baked("copper", 0.23)),
     ("another measurement", lambda: compare.baked("main/Cu/McPeak", 0.2)),

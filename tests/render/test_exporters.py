@@ -98,12 +98,26 @@ def test_there_and_back_it_looks_alike(name, tmp_path):
             assert apart <= CARRIED, (ending, apart)
 
 
+def test_exporting_changes_neither_the_material_nor_a_pixel(tmp_path):
+    """A material holds nothing for exporters: nodes, values and every pixel are the same before and after."""
+    probes.set_world(probes.empty_scene(12, samples=4), 1.0)
+    ours = api.create_material(preset="copper", anisotropy=0.3)
+    probes.add_sphere(ours, segments=64)
+    nodes, record = len(ours.node_tree.nodes), api.record_of(ours)
+    before = probes.render(bpy.context.scene)
+    bpy.ops.export_scene.gltf(filepath=str(tmp_path / "a.glb"))
+    bpy.ops.wm.usd_export(filepath=str(tmp_path / "a.usda"))
+    assert np.array_equal(before, probes.render(bpy.context.scene))
+    assert (len(ours.node_tree.nodes), api.record_of(ours)) == (nodes, record)
+
+
 @pytest.fixture(scope="module")
 def document(tmp_path_factory):
     """The five, one without a measurement and one seen through, as one glTF, and what the exporter was told is lost."""
     probes.empty_scene(8)
     materials = [api.create_material(name=name, **parameters) for name, parameters in FIVE.items()]
-    materials += [api.create_material(name="soap", preset="soap_bubble"),
+    materials += [api.create_material(name="brushed", preset="copper", anisotropy=0.6, rotation=0.25),
+                  api.create_material(name="soap", preset="soap_bubble"),
                   api.create_material(name="nacre", preset="nacre")]
     return exported(tmp_path_factory.mktemp("gltf") / "all.gltf", *materials)
 
@@ -130,6 +144,9 @@ def test_every_material_leaves_with_what_gltf_has(document):
     assert np.allclose(sigma, np.array(there.absorption) * there.scene_scale, rtol=1e-4)
     assert dispersion == pytest.approx(20.0 / 63.97, rel=1e-3)
     assert found["soap"]["extensions"]["KHR_materials_iridescence"]["iridescenceIor"] == pytest.approx(1.33, abs=0.01)
+    brushed = found["brushed"]["extensions"]["KHR_materials_anisotropy"]
+    assert brushed["anisotropyStrength"] == pytest.approx(0.6, abs=1e-5)
+    assert brushed["anisotropyRotation"] == pytest.approx(np.pi / 2.0, abs=1e-5)
     assert found["nacre"]["pbrMetallicRoughness"]["baseColorFactor"] != [1, 1, 1, 1]
 
 

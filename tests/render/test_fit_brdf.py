@@ -26,10 +26,10 @@ from addon.verify import scenes  # noqa: E402
 
 UP = np.array([0.0, 0.0, 1.0])
 RESOLUTION, SAMPLES = 16, 1500
-NOISE = 0.35
-"""CIEDE2000 that so many samples leave between Cycles and the formula, and what Standard blurs."""
+NOISE, MOST_OF_CYCLES = 0.2, 0.7
+"""CIEDE2000: of so many samples, and that with what Standard and Reference blur."""
 FOLDER = os.environ.get("FACET_FILM_BRDF_FOLDER", "")
-REAL = ("vch_golden_yellow_rgb", "paper_blue_rgb", "cc_iris_purple_gem_rgb") if FOLDER else ()
+REAL = ("vch_golden_yellow_rgb", "cc_iris_purple_gem_rgb") if FOLDER else ()
 
 
 def surface(model, **parameters):
@@ -96,7 +96,9 @@ def test_a_fit_in_cycles_is_as_near_to_the_file_as_its_report_says(name, realisa
     from_formula = balls.difference(formula, picture, inside, exposure)
     said = balls.difference(measured, formula, inside, exposure)
     print(f"{name} {realisation}: from the file {from_file:.2f}, said {said:.2f}, from the formula {from_formula:.2f}")
-    assert abs(from_file - said) < NOISE and from_formula < 2.0 * NOISE
+    # Two differences that know nothing of each other add up by their squares.
+    of_the_fit = max(from_file**2 - from_formula**2, 0.0) ** 0.5
+    assert from_formula < MOST_OF_CYCLES and abs(of_the_fit - said) < NOISE
 
 
 def test_another_material_is_farther_off(fitted):

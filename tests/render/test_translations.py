@@ -36,8 +36,9 @@ NOT_SHOWN = {
 """Sentences of addon/blender that nobody sees in the interface."""
 SENTENCE = re.compile(r"[A-Za-z]{2,} +[A-Za-z&]+ +[A-Za-z]{2,}")
 LEFT_AS_THEY_ARE = {"Facet & Film", "n", "k", "F0", "Rec.709", "Rec.2020", "ACEScg", "Cook–Torrance", "Layered RGB",
-                    "OSL", "JSON", "MaterialX", "CPU", "GPU", "Linear Rec.2020", "CIE 1931, 2°", "CIE 1964, 10°",
-                    "conductor_bsdf and generalized_schlick_bsdf"}
+                    "OSL", "UV", "JSON", "MaterialX", "CPU", "GPU", "Linear Rec.2020", "CIE 1931, 2°", "CIE 1964, 10°",
+                    "conductor_bsdf, generalized_schlick_bsdf and open_pbr_surface",
+                    "open_pbr_surface", "open_pbr_surface and a conductor_bsdf with a thin film"}
 """Names, units and formats that are the same in every language."""
 FILES = sorted(file for file in ROOM.rglob("*.py") if file.parent.name != "translations")
 NOT_OURS = {"rna_type", "name", "remove_name", "remove_active"}
@@ -85,7 +86,7 @@ def errors_of_artists():
     returned = {node.value.value for node in ast.walk(tree_of(ADDON / "nodes" / "osl_compiler.py"))
                 if isinstance(node, ast.Return) and isinstance(node.value, ast.Constant)}
     sentences = {sentence.value for _, sentence in raised() if isinstance(sentence, ast.Constant)}
-    return {" or ", "preset"} | returned | sentences
+    return {" or ", "finish", "preset"} | returned | sentences
 
 
 def tree_of(file):

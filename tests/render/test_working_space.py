@@ -18,9 +18,10 @@ from addon import api
 from addon.bake.colour import delta_e_2000, lab, rgb_to_xyz, space_of_matrix
 from addon.blender import compat
 from addon.blender.datablocks import groups, spaces
+from addon.blender.operators.user_presets import material_of, preset_text
 from addon.models.making import made
 from addon.models.model import Renderer
-from addon.models.moving import moved
+from addon.models.moving import moved, space_of
 from tests.ocio_configuration import AP1, P3, write_configuration
 from tests.render import probes
 
@@ -123,6 +124,21 @@ def test_an_asset_of_another_space_arrives_right(tmp_path):
 
 
 @can_change
+def test_re_bake_takes_the_files_space_and_a_saved_preset_arrives_in_it():
+    _, material = in_a_file("Rec.709", preset="copper", tint=(1.0, 0.5, 0.2), viewing={"illuminant": "A"})
+    saved = preset_text(material)
+    set_space("ACEScg")
+    converted = api.record_of(material).parameters.tint  # by Blender
+    api.rebake(material)
+    viewing = api.record_of(material).viewing
+    assert (viewing["space"], viewing["illuminant"]) == ("ACEScg", "A")
+    arrived = api.record_of(material_of(saved))
+    assert (arrived.viewing["space"], arrived.viewing["illuminant"]) == ("ACEScg", "A")
+    assert np.allclose(arrived.parameters.tint, converted, atol=1e-3)
+    assert np.allclose(arrived.parameters.n, api.record_of(material).parameters.n)
+
+
+@can_change
 def test_our_groups_are_still_ours_in_a_converted_file():
     """Blender converts colors inside of node groups too: they must not pass for edited by hand."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -142,6 +158,16 @@ def test_what_the_user_changed_is_moved_along():
     mirror = [conductor(1.0, np.array(one.parameters.n), np.array(one.parameters.k)) for one in (tuned, there)]
     assert delta_e_2000(lab(mirror[0]), lab(mirror[1], "ACEScg")) < 1.0
     assert moved(tuned, Renderer(space="ACEScg"), colours=False).parameters.diffuse == tuned.parameters.diffuse
+
+
+def test_a_preset_that_is_stated_and_not_measured_is_moved_too():
+    felt = made(preset="felt_pink", roughness=0.4)
+    there = moved(felt, Renderer(space="ACEScg"))
+    fresh = made(preset="felt_pink", renderer=Renderer(space="ACEScg"))
+    assert (there.viewing, there.parameters.roughness) == ({"space": "ACEScg"}, 0.4)
+    assert (there.parameters.n, there.parameters.diffuse) == (fresh.parameters.n, fresh.parameters.diffuse)
+    seen_here, seen_there = (lab(np.array(one.parameters.diffuse), space_of(one)) for one in (felt, there))
+    assert delta_e_2000(seen_here, seen_there) < 0.1
 
 
 def test_a_matrix_is_known_again_or_kept_as_primaries():

@@ -57,6 +57,12 @@ def test_forms_are_shown_or_written(folder, capsys):
     assert sorted(path.name for path in folder.iterdir()) == ["out.file", "own.csv"]
 
 
+@pytest.mark.parametrize("space, called", [("ACEScg", "acescg"), ("Rec.2020", "lin_rec709")])
+def test_materialx_is_in_a_space_that_it_knows(space, called, capsys):
+    assert main(["bake", "copper", "--materialx", "--space", space]) == 0
+    assert ElementTree.fromstring(capsys.readouterr().out).get("colorspace") == called
+
+
 def test_a_spectrum_goes_out_and_comes_back(capsys):
     assert main(["bake", "copper", "--spectrum-csv", "-o", "copper.csv"]) == 0
     capsys.readouterr()

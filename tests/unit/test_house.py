@@ -14,9 +14,10 @@ import pytest
 from addon.catalogue import presets
 
 ROOT = Path(__file__).resolve().parents[2]
+ADDON = ROOT / "addon"
 
-NUMPY_ROOMS = ("addon/reflectance/", "addon/models/", "addon/catalogue/", "addon/spectra/", "addon/bake/",
-               "addon/export/", "addon/shell/", "addon/measured/")
+NUMPY_ROOMS = ("addon/reflectance/", "addon/models/", "addon/finishes/", "addon/catalogue/", "addon/spectra/",
+               "addon/bake/", "addon/export/", "addon/shell/", "addon/measured/")
 BLENDER_MODULES = {"bpy", "bmesh", "mathutils", "gpu", "_bpy", "bpy_extras", "blf"}
 BLENDER_ROOMS = {"nodes", "blender", "api", "verify"}
 # Reached inside functions that only Blender, or someone who has it, calls.
@@ -200,3 +201,21 @@ def test_models_do_not_know_each_other(model):
         if name.startswith(f"addon/models/{model}/"):
             named = [text for _, text in names_of_models(text_of(name))]
             assert not [text for text in named if any(other in text for other in others)], name
+
+
+PLATFORM = {"threading": (), "multiprocessing": (), "concurrent.futures": (), "socket": (), "http": (),
+            "urllib.request": (), "subprocess": ("blender/operators/verify.py",)}
+"""Modules that the extension platform's reviewers ask about, and the files that may import them."""
+
+
+@pytest.mark.parametrize("module", PLATFORM)
+def test_reviewers_have_nothing_to_ask_about(module):
+    """Threads, the network, other programs: nothing that is shipped needs them, but for the verification's Blender."""
+    word = re.compile(rf"^\s*(?:import|from) +{re.escape(module)}\b", re.MULTILINE)
+    files = {file.relative_to(ADDON).as_posix() for file in ADDON.rglob("*.py")
+             if word.search(file.read_text(encoding="utf-8"))}
+    assert files == set(PLATFORM[module])
+
+
+def test_the_path_of_modules_stays_as_it_is():
+    assert [file.name for file in ADDON.rglob("*.py") if "sys.path" in file.read_text(encoding="utf-8")] == []

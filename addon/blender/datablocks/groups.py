@@ -5,7 +5,7 @@ from pathlib import Path
 
 import bpy
 
-from ... import models
+from ... import finishes, models
 from ...models.realisations import REALISATIONS
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .pictures import image_in, image_of, key_of, put_image
@@ -33,8 +33,9 @@ def is_bringing():
 
 @functools.lru_cache(maxsize=1)
 def _owners():
-    """{group's id: (Model, Group)} of all models."""
-    return {group.identifier: (model, group) for model in models.all_models() for group in model.groups}
+    """{group's id: (Model, Group)} of all models, and of the finishes, which belong to no Model."""
+    found = {group.identifier: (model, group) for model in models.all_models() for group in model.groups}
+    return {**found, **{group.identifier: (None, group) for group in finishes.GROUPS}}
 
 
 def forget():
@@ -43,7 +44,7 @@ def forget():
 
 
 def all_groups():
-    """Every Group of every model."""
+    """Every Group of every model, and those of the finishes."""
     return [group for _, group in _owners().values()]
 
 
@@ -53,7 +54,7 @@ def group_of(identifier):
 
 
 def model_of_group(identifier):
-    """The Model that a group's id belongs to, or None."""
+    """The Model that a group's id belongs to, or None; the groups of finishes belong to none."""
     return _owners()[identifier][0] if identifier in _owners() else None
 
 
@@ -115,7 +116,10 @@ def build_group(identifier):
     from ...nodes.builder import GroupBuilder
     model, group = _owners()[identifier]
     builder = GroupBuilder(group.name)
-    model.build(identifier, builder)
+    if model is None:
+        finishes.build(group, builder)
+    else:
+        model.build(identifier, builder)
     return builder.finish()
 
 

@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 import bpy
 
 from ...errors import FacetFilmError
+from ...finishes import of_group
 from ..compat import enable_nodes, set_refraction
 from .groups import (
     EEVEE_OUTPUT,
     VERSION_KEY,
     edited,
     group_id,
+    group_of,
     input_names,
     model_of_group,
     node_group,
@@ -24,8 +26,9 @@ from .pictures import image_in, image_of, key_of, sockets_of_image, values_of_im
 if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits for what is imported here
     from ...models.record import Record
 
-__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "found_in", "is_measured", "model_of", "our_node",
-           "parameters_of", "realisation_of", "record_of", "record_of_node", "require_name", "write", "write_node"]
+__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "finish_node", "finish_of", "found_in",
+           "is_measured", "model_of", "our_node", "parameters_of", "realisation_of", "record_of", "record_of_node",
+           "require_name", "write", "write_node"]
 
 RECORD_KEY = "facet_film"
 NODE_WIDTH = 240
@@ -80,7 +83,8 @@ def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -
     values = {**model.written(record.parameters, record.realisation), **sockets_of_image(image_in(node.node_tree))}
     for name, value in values.items():
         socket_named(node, name).default_value = value
-    _write_feeds(tree, node, there, model.feeds(record.parameters))
+    from ...finishes.feeding import feeds
+    _write_feeds(tree, node, there, (*model.feeds(record.parameters), *feeds(record)))
 
 
 def _keeps(tree, group, image):
@@ -106,18 +110,29 @@ def _write_feeds(tree, node, there, feeds):
     """Have just these groups of ours feed the node, in place of those that did; what else is plugged in stays."""
     for identifier, feed in there.items():
         if identifier not in {wanted.group for wanted in feeds}:
-            tree.nodes.remove(feed)
-    for wanted in feeds:
-        feed = there.get(wanted.group) or _new_feed(tree, node, wanted.group)
+            _remove_feed(tree, node, feed)
+    for number, wanted in enumerate(feeds):
+        feed = there.get(wanted.group) or _new_feed(tree, node, wanted.group, number)
         for name, value in wanted.values.items():
             socket_named(feed, name).default_value = value
         _link_feed(tree, node, feed, wanted.links)
 
 
-def _new_feed(tree, node, identifier):
+def _remove_feed(tree, node, feed):
+    """Take a feed away; what was plugged into an input of the same name as the node's goes back to that."""
+    fed = {link.to_socket.name for link in tree.links if link.from_node == feed and link.to_node == node}
+    back = [(link.from_socket, link.to_socket.name) for link in tree.links
+            if link.to_node == feed and link.to_socket.name in fed]
+    tree.nodes.remove(feed)
+    for source, name in back:
+        tree.links.new(source, socket_named(node, name))
+
+
+def _new_feed(tree, node, identifier, number):
     feed = tree.nodes.new("ShaderNodeGroup")
     feed.node_tree = node_group(identifier)
-    feed.location = (node.location.x - FEED_WIDTH - 80, node.location.y)
+    feed.label = feed.node_tree.name
+    feed.location = (node.location.x - (FEED_WIDTH + 80) * (number + 1), node.location.y)
     feed.width = FEED_WIDTH
     return feed
 
@@ -127,7 +142,10 @@ def _link_feed(tree, node, feed, links):
         if (link.from_socket.name, link.to_socket.name) not in links.items():
             tree.links.remove(link)
     for output, name in links.items():
-        tree.links.new(output_named(feed, output), socket_named(node, name))
+        target = socket_named(node, name)
+        if target.is_linked and target.links[0].from_node != feed and name in input_names(feed.node_tree):
+            tree.links.new(target.links[0].from_socket, socket_named(feed, name))
+        tree.links.new(output_named(feed, output), target)
 
 
 def _feeding(node):
@@ -135,7 +153,7 @@ def _feeding(node):
     found = {}
     for link in [link for socket in node.inputs for link in socket.links]:
         tree = getattr(link.from_node, "node_tree", None)
-        if model_of_group(group_id(tree)) is not None and found_in(tree) is None:
+        if group_of(group_id(tree)) is not None and found_in(tree) is None:
             found[group_id(tree)] = link.from_node
     return found
 
@@ -161,11 +179,30 @@ def record_of_node(node: bpy.types.Node) -> Record:
     from ...models.record import Record
     identifier = group_id(node.node_tree)
     model, realisation = found_in(node.node_tree)
-    feeds = {name: (_values(feed), {link.from_socket.name for link in node.id_data.links
-                                    if link.from_node == feed and link.to_node == node})
-             for name, feed in _feeding(node).items()}
+    feeding = _feeding(node)
+    feeds = {name: (_values(feed), _outputs_to(node, feed)) for name, feed in feeding.items()}
     values = {**_values(node), **values_of_image(image_in(node.node_tree))}
-    return Record(model.name, realisation, identifier, node.node_tree.get(VERSION_KEY, 0), model.read(values, feeds))
+    marks = next((name for name in feeds if of_group(name)), None)
+    if marks is None:
+        finish, controls = "", {}
+    else:
+        finish, controls = of_group(marks).name, _controls(marks, feeds[marks], values)
+    return Record(model.name, realisation, identifier, node.node_tree.get(VERSION_KEY, 0), model.read(values, feeds),
+                  finish=finish, controls=controls)
+
+
+def _outputs_to(node, feed):
+    """Names of a feed's outputs that are linked to the node."""
+    return {link.from_socket.name for link in node.id_data.links if link.from_node == feed and link.to_node == node}
+
+
+def _controls(group, fed, values):
+    """The controls of a finish's group; what it holds of the material's own sockets goes among the values."""
+    from ...finishes.feeding import changed_controls
+    of_feed, outputs = fed
+    shared = {name for name in outputs if name in values and name in of_feed}
+    values.update({name: of_feed[name] for name in shared})
+    return changed_controls(group, of_feed, shared)
 
 
 def _values(node):
@@ -188,6 +225,21 @@ def baked_of(material):
         return {}
     from ...models.record import baked_in
     return baked_in(material.get(RECORD_KEY, ""))
+
+
+def finish_of(material):
+    """Name of a material's finish, or ""; what panels draw at each redraw."""
+    from ...finishes.feeding import held
+    from ...models.record import finish_in
+    node = finish_node(material)
+    return held(finish_in(material.get(RECORD_KEY, "")), of_group(group_id(node.node_tree)).name if node else "")
+
+
+def finish_node(material):
+    """The node that leaves the marks of a material's finish, or None."""
+    node = our_node(material)
+    feeding = _feeding(node) if node else {}
+    return next((feed for name, feed in feeding.items() if of_group(name)), None)
 
 
 def is_measured(material):

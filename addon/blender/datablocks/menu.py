@@ -1,7 +1,8 @@
-"""The node groups that a shader can be made of by hand: those of the models, and the Fresnel ramp."""
+"""The node groups that a shader can be made of by hand: those of the models and finishes, and the Fresnel ramp."""
 
 import functools
 
+from ...finishes import GROUPS
 from ...models import all_models
 from .ramps import RAMP_ID
 
@@ -11,9 +12,9 @@ RAMP = (RAMP_ID, "Fresnel Ramp", "Colour of a preset's mirror over the angle, fo
 
 
 def parts():
-    """[[(group's id, title, summary), …] of each model, and of what belongs to none]."""
+    """[[(group's id, title, summary), …] of each model, of the finishes, and of what belongs to none]."""
     return [[(group.identifier, group.name, group.summary) for group in model.groups if group.in_menu]
-            for model in all_models()] + [[RAMP]]
+            for model in all_models()] + [[(group.identifier, group.name, group.summary) for group in GROUPS], [RAMP]]
 
 
 @functools.lru_cache(maxsize=1)

@@ -12,7 +12,11 @@ __all__ = ["attach", "detach"]
 SURFACE, OPENPBR = "Facet_Film", "Facet_Film_OpenPBR"
 
 
-class FACET_FILM_USD_hook(bpy.types.USDHook):
+HOOK = getattr(bpy.types, "USDHook", object)
+"""What Blender's exporter asks; a Blender that was built without USD has none."""
+
+
+class FACET_FILM_USD_hook(HOOK):
     """Materials of ours leave as UsdPreviewSurface, and as OpenPBR for programs that read MaterialX"""
 
     bl_idname = "FACET_FILM_USD_hook"
@@ -57,11 +61,11 @@ def _typed(value):
 
 def attach():
     """Register the hook where USD's Python module is to be had: Blender ends at once where it calls one without."""
-    if importlib.util.find_spec("pxr") is not None:
+    if HOOK is not object and importlib.util.find_spec("pxr") is not None:
         bpy.utils.register_class(FACET_FILM_USD_hook)
 
 
 def detach():
     """Take it back."""
-    if FACET_FILM_USD_hook.is_registered:
+    if getattr(FACET_FILM_USD_hook, "is_registered", False):
         bpy.utils.unregister_class(FACET_FILM_USD_hook)

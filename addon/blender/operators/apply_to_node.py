@@ -7,7 +7,7 @@ from ...errors import FacetFilmError
 from .. import compat
 from ..datablocks.groups import group_id
 from ..datablocks.locked import why_locked
-from ..datablocks.materials import found_in, our_node, write, write_node
+from ..datablocks.materials import found_in, our_node, record_of, record_of_node, write, write_node
 from ..datablocks.ramps import RAMP_ID
 from ..settings import Viewing, preset_property, viewing_of
 
@@ -21,13 +21,15 @@ def takes_presets(node):
 
 
 def write_preset(node, preset, viewing, owner=None):
-    """Write a preset into one of our group nodes, with the group that belongs to it; what is plugged in stays.
+    """Write a preset into one of our group nodes, with the group that belongs to it; what is plugged in
+    stays, and so does the finish.
 
     owner  the material whose tree it is: its record follows where the node is what it renders with
 
     Raises FacetFilmError for an unknown preset, and for one whose model lacks the node's realisation.
     """
     from ...api import create_fresnel_ramp
+    from ...models.finishing import kept_finish
     from ...models.making import made
     if group_id(node.node_tree) == RAMP_ID:
         node.node_tree = create_fresnel_ramp(preset, **viewing)
@@ -36,9 +38,9 @@ def write_preset(node, preset, viewing, owner=None):
     _, realisation = found_in(node.node_tree)
     record = made(preset=preset, realisation=realisation, renderer=compat.renderer(), viewing=viewing)
     if isinstance(owner, bpy.types.Material) and our_node(owner) == node:
-        write(owner, record)
+        write(owner, kept_finish(record_of(owner), record))
     else:
-        write_node(node.id_data, node, record)
+        write_node(node.id_data, node, kept_finish(record_of_node(node), record))
 
 
 class FACET_FILM_OT_apply_to_node(Viewing, bpy.types.Operator):

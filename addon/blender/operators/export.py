@@ -7,7 +7,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
 from ...models import all_models
-from ..datablocks.materials import baked_of, model_of
+from ..datablocks.materials import baked_of, finish_node, model_of
 from .targets import active_material
 
 __all__ = ["CLASSES"]
@@ -62,7 +62,10 @@ class FACET_FILM_OT_export(bpy.types.Operator):
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
-        self.report({"INFO"}, rpt_("Wrote {:s}").format(str(written)))
+        said = rpt_("Wrote {:s}").format(str(written))
+        if finish_node(active_material(context)) is not None:
+            said += rpt_("; the marks of the finish stay in Blender, its roughness is in it")
+        self.report({"INFO"}, said)
         return {"FINISHED"}
 
 

@@ -15,6 +15,8 @@ TEXTS = {
         "；两端保持不变",
     "; outside the gamut, mapped by {:s}":
         "；超出色域，映射方式：{:s}",
+    "; the marks of the finish stay in Blender, its roughness is in it":
+        "；表面处理的痕迹留在 Blender 中，其粗糙度已包含",
     "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
         "菲涅耳曲线由 0° 到 90° 的角度及各自的三个 0 到 1 的反射率组成，例如 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1'，而不是 {value!r}。",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
@@ -25,6 +27,10 @@ TEXTS = {
         "电介质的反射，由垂直入射反射率给出",
     "A file to write is named by its path, not by {path!r}.":
         "要写入的文件须以路径指定，而不是 {path!r}。",
+    "A finish is called by its name, such as 'brushed', not {value!r}.":
+        "表面处理以名称称呼，例如 'brushed'，而不是 {value!r}。",
+    "A finish varies the roughness, which {model} has not: name a material of another model, or no finish.":
+        "表面处理改变粗糙度，而 {model} 没有粗糙度：请选择其他模型的材质，或不用表面处理。",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "材质须为预设名称或数据集标识，而不是 {value!r}。",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
@@ -65,12 +71,20 @@ TEXTS = {
         "此文件中所有 Facet & Film 材质均已处于其工作色彩空间",
     "Alloys":
         "合金",
+    "Amount":
+        "数量",
+    "An even sheen without marks":
+        "均匀的光泽，没有痕迹",
+    "An even, fine grain, for Roughness and Normal":
+        "均匀细腻的颗粒，用于粗糙度和法线",
     "Anisotropy":
         "各向异性",
     "Another Version":
         "其他版本",
     "Apply":
         "应用",
+    "Apply Finish":
+        "应用表面处理",
     "Apply Saved Preset":
         "应用已保存的预设",
     "Apply a material of Facet & Film first: there is nothing to save":
@@ -79,6 +93,8 @@ TEXTS = {
         "应用到节点",
     "As published beside it":
         "同文中发表的另一种",
+    "As smooth or rough as the preset says":
+        "光滑或粗糙程度由预设决定",
     "Asset Library":
         "资产库",
     "At 0°":
@@ -99,6 +115,8 @@ TEXTS = {
         "在 {place!r} 处：外部材料写在一条竖线之前，此处有多条竖线。",
     "At {place!r}: {why}":
         "在 {place!r} 处：{why}",
+    "Axis":
+        "轴",
     "Azimuth":
         "方位角",
     "Bake Spectral Preset":
@@ -132,6 +150,12 @@ TEXTS = {
         "将所有为其他工作色彩空间烘焙的 Facet & Film 材质转入此文件的空间：重新烘焙，您更改的内容一并转换。按 Esc 停止，此时不作任何更改",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "将此文件中由旧版 Facet & Film 创建的材质更新；所有数值与连线保留",
+    "Brushed":
+        "拉丝",
+    "Brushed Circular":
+        "环形拉丝",
+    "Brushed, Circular":
+        "拉丝，环形",
     "CIE standard observer":
         "CIE 标准观察者",
     "CIEDE2000 at most {:.2f}":
@@ -142,6 +166,8 @@ TEXTS = {
         "曲线的 CSV",
     "CSV of the Spectrum":
         "光谱的 CSV",
+    "Cast":
+        "铸造",
     "Cauchy b":
         "柯西 b",
     "Cauchy c":
@@ -222,8 +248,16 @@ TEXTS = {
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Drained":
         "排液",
+    "Dull and tarnished, rubbed bright at the edges":
+        "暗淡失泽，边缘磨亮",
+    "Edge Roughness":
+        "边缘粗糙度",
     "Edge Tint":
         "边缘色调",
+    "Edge Width":
+        "边缘宽度",
+    "Edges rubbed bright, for Roughness and Tint":
+        "磨亮的边缘，用于粗糙度和染色",
     "Every parameter":
         "所有参数",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -274,6 +308,14 @@ TEXTS = {
         "薄膜热着色",
     "Film Thickness":
         "薄膜厚度",
+    "Fine scratches, for Roughness and Normal":
+        "细划痕，用于粗糙度和法线",
+    "Fingerprints":
+        "指纹",
+    "Fingerprints and wipe marks, for Roughness":
+        "指纹和擦痕，用于粗糙度",
+    "Finish":
+        "表面处理",
     "First Thickness":
         "起始厚度",
     "Fit":
@@ -300,6 +342,8 @@ TEXTS = {
         "高斯 c",
     "Give a preset that you saved another name":
         "为已保存的预设改名",
+    "Give this material another finish; what it is made of stays":
+        "为此材质换一种表面处理；其材料不变",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
     "Glasses":
@@ -312,6 +356,8 @@ TEXTS = {
         "最大厚度",
     "Group":
         "组",
+    "Hammered":
+        "锤纹",
     "How many rms slopes the facets have":
         "微面均方根斜率的个数",
     "How the facets' slopes are distributed":
@@ -320,6 +366,8 @@ TEXTS = {
         "公式如何成为 Cycles 材质",
     "IOR":
         "折射率",
+    "IOR Below":
+        "下层折射率",
     "Illuminant":
         "光源",
     "Image Rows":
@@ -360,6 +408,8 @@ TEXTS = {
         "保留",
     "Left out, as they take no materials or are linked: {:s}":
         "已略过（不接受材质或为链接数据）：{:s}",
+    "Length":
+        "长度",
     "Light":
         "光",
     "Light and Gamut":
@@ -387,6 +437,8 @@ TEXTS = {
         "材质",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "材质：预设名称，或数据集如 main/Cu/Johnson。输入即可搜索",
+    "Matt, with an even, fine grain":
+        "哑光，颗粒均匀细腻",
     "Measured Material":
         "实测材质",
     "Measured Surfaces":
@@ -441,10 +493,18 @@ TEXTS = {
         "色域外：{:s}，通道最多改变 {:.3f}",
     "Oxides":
         "氧化物",
+    "Parallel streaks, and highlights drawn out across them":
+        "平行纹路，高光横向拉长",
+    "Parallel streaks, for Roughness, Normal and Tangent":
+        "平行纹路，用于粗糙度、法线和切线",
     "Parameters":
         "参数",
     "Paste Measurement":
         "粘贴测量数据",
+    "Pits":
+        "凹坑",
+    "Polished":
+        "抛光",
     "Polymers":
         "聚合物",
     "Preset":
@@ -457,12 +517,16 @@ TEXTS = {
         "要比较的预设或数据集",
     "Preset or dataset to compare with":
         "用于比较的预设或数据集",
+    "Preset's Own":
+        "预设自带",
     "Presets":
         "预设",
     "Principled Twin":
         "原理化孪生材质",
     "Published Scale":
         "原文尺度",
+    "Randomness":
+        "随机性",
     "Re-bake":
         "重新烘焙",
     "Re-bake All Materials":
@@ -495,6 +559,8 @@ TEXTS = {
         "渲染方式：{:s}",
     "Rotation":
         "旋转",
+    "Rough, 1982":
+        "粗糙，1982",
     "Roughness":
         "糙度",
     "Rows":
@@ -505,6 +571,10 @@ TEXTS = {
         "样本",
     "Sampling Width":
         "采样宽度",
+    "Sandblasted":
+        "喷砂",
+    "Satin":
+        "缎面",
     "Save Preset":
         "保存预设",
     "Save as Preset":
@@ -517,6 +587,10 @@ TEXTS = {
         "场景比例",
     "Scene-linear space that the colours are written in":
         "写入颜色所用的场景线性空间",
+    "Scratch Roughness":
+        "划痕粗糙度",
+    "Scratched":
+        "划痕",
     "See-through":
         "透视",
     "See-through Shadows":
@@ -533,6 +607,10 @@ TEXTS = {
         "多个斜率合为一个均方根相同的斜率。",
     "Shadows and caustics are the other program's own.":
         "阴影和焦散由另一程序自行处理。",
+    "Shallow dimples side by side, each with its own highlight":
+        "浅凹窝相邻排列，各有高光",
+    "Shallow dimples, for Roughness and Normal":
+        "浅凹窝，用于粗糙度和法线",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
@@ -547,6 +625,18 @@ TEXTS = {
         "斜率",
     "Small fields of view; what displays are calibrated for":
         "小视场；显示器据此校准",
+    "Smooth, with clear reflections that are soft at their edges":
+        "光滑，反射清晰，边缘柔和",
+    "Smooth, with fine scratches in all directions":
+        "光滑，带有各方向的细划痕",
+    "Smooth, with fingerprints and the marks of wiping":
+        "光滑，带有指纹和擦痕",
+    "Smudge Roughness":
+        "污迹粗糙度",
+    "Smudged":
+        "污迹",
+    "Softness":
+        "柔和度",
     "Specular":
         "镜面",
     "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
@@ -557,6 +647,10 @@ TEXTS = {
         "已停止：没有材质被更改",
     "Stopped: nothing was fitted":
         "已停止：未进行拟合",
+    "Streaks in circles, as from a lathe or on the foot of a pan":
+        "环形纹路，如车床加工或锅底",
+    "Streaks in circles, for Roughness, Normal and Tangent":
+        "环形纹路，用于粗糙度、法线和切线",
     "Sulphides":
         "硫化物",
     "Switch Realisation":
@@ -567,6 +661,8 @@ TEXTS = {
         "将该库从资产浏览器移除；已拖入的内容保留",
     "Tangent":
         "切线",
+    "Tarnish":
+        "失泽",
     "Temperature":
         "温度",
     "Texture":
@@ -575,6 +671,8 @@ TEXTS = {
         "纹理占比",
     "The Papers' Figures":
         "论文中的图",
+    "The coarse, dull skin of a sand mould, with pits":
+        "砂型铸造的粗糙暗淡表皮，带凹坑",
     "The colour inside that looks most alike, by CIEDE2000":
         "色域内按 CIEDE2000 看来最相近的颜色",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -622,6 +720,8 @@ TEXTS = {
         "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
+    "The rough finish of the paper's copper vase":
+        "论文中铜花瓶的粗糙表面",
     "The same with the colours of the rainbow, each refracted by its own index":
         "同上，并带有彩虹色，每种颜色以各自的折射率折射",
     "The scene-linear space of this file":
@@ -635,6 +735,8 @@ TEXTS = {
         "着色器 {shader} 无法编译：{why}",
     "The simplest of the others of which no other comes clearly closer":
         "其余选项中最简单且没有其他明显更接近的一种",
+    "The skin of a sand mould, for Roughness and Normal":
+        "砂型表皮，用于粗糙度和法线",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "厚度须在层堆给定的 {low:g} 到 {high:g} nm 之间；现为 {given:g}。",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -669,6 +771,8 @@ TEXTS = {
         "此文件不是 Facet & Film 的预设。",
     "This material is the file's own already":
         "此材质已是此文件自有",
+    "This model has no roughness that a finish could vary":
+        "此模型没有可由表面处理改变的粗糙度",
     "Time":
         "时间",
     "Tint":
@@ -678,6 +782,8 @@ TEXTS = {
     "Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as they were "
     "rendered, so nothing can be verified: use one that has a role for data, or start Blender without it.":
         "在此 OpenColorIO 配置下，像素从 OpenEXR 文件读回后与渲染时不同，因此无法验证：请使用带有数据角色的配置，或不使用它启动 Blender。",
+    "Unevenness":
+        "不均匀度",
     "Update Materials":
         "更新材质",
     "Usual":
@@ -700,6 +806,8 @@ TEXTS = {
         "电压",
     "Wavelengths":
         "波长",
+    "Wear":
+        "磨损",
     "Weight 1":
         "权重 1",
     "Weight 2":
@@ -729,14 +837,22 @@ TEXTS = {
         "用于渲染测试样本的设备",
     "What to write":
         "写入的内容",
+    "What was done to the surface":
+        "表面经过怎样的处理",
     "Which group to add":
         "要添加的组",
     "Which presets to show pictures of":
         "显示哪些预设的图片",
+    "Width":
+        "宽度",
+    "Wipe Marks":
+        "擦痕",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench 只显示视图颜色：请在渲染属性中选择 Cycles",
     "Working Space":
         "工作空间",
+    "Worn Edges":
+        "磨损边缘",
     "Write the active material as its node holds it now: JSON, CSV or MaterialX":
         "按节点当前的内容写出活动材质：JSON、CSV 或 MaterialX",
     "Wrote {:s}":
@@ -787,6 +903,8 @@ TEXTS = {
         "等能",
     "fair":
         "尚可",
+    "finish":
+        "表面处理",
     "fluorescent, D65 simulator, 6510 K":
         "荧光灯，D65 模拟器，6510 K",
     "good":
@@ -904,6 +1022,8 @@ TEXTS = {
         "{:s} 已被手动编辑，保持原样",
     "{:s} was made by a newer Facet & Film: install that one to change it":
         "{:s} 由较新的 Facet & Film 制作：请安装该版本以修改",
+    "{:s}: finish {:s}":
+        "{:s}：表面处理 {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}：版本 {:d}，现为 {:d}",
     "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":

@@ -15,6 +15,8 @@ TEXTS = {
         "; Enden gehalten",
     "; outside the gamut, mapped by {:s}":
         "; außerhalb des Farbraums, abgebildet mit {:s}",
+    "; the marks of the finish stay in Blender, its roughness is in it":
+        "; die Spuren der Oberfläche bleiben in Blender, ihre Rauheit ist darin",
     "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
         "Eine Fresnel-Kurve besteht aus Winkeln von 0° bis 90° mit je drei Reflexionsgraden von 0 bis 1, etwa 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', nicht {value!r}.",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
@@ -25,6 +27,11 @@ TEXTS = {
         "Die eines Nichtleiters, nach seinem Reflexionsgrad bei senkrechtem Einfall",
     "A file to write is named by its path, not by {path!r}.":
         "Eine Datei zum Schreiben heißt nach ihrem Pfad, nicht {path!r}.",
+    "A finish is called by its name, such as 'brushed', not {value!r}.":
+        "Eine Oberfläche wird mit ihrem Namen genannt, etwa 'brushed', nicht {value!r}.",
+    "A finish varies the roughness, which {model} has not: name a material of another model, or no finish.":
+        "Eine Oberfläche verändert die Rauheit, die {model} nicht hat: Nennen Sie ein Material eines anderen Modells "
+        "oder keine Oberfläche.",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "Ein Material ist der Name einer Voreinstellung oder die Kennung eines Datensatzes, nicht {value!r}.",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
@@ -66,12 +73,20 @@ TEXTS = {
         "Alle Materialien von Facet & Film in dieser Datei sind in deren Arbeitsfarbraum",
     "Alloys":
         "Legierungen",
+    "Amount":
+        "Menge",
+    "An even sheen without marks":
+        "Ein gleichmäßiger Glanz ohne Spuren",
+    "An even, fine grain, for Roughness and Normal":
+        "Ein gleichmäßiges, feines Korn, für Rauheit und Normale",
     "Anisotropy":
         "Anisotropie",
     "Another Version":
         "Andere Version",
     "Apply":
         "Anwenden",
+    "Apply Finish":
+        "Oberfläche anwenden",
     "Apply Saved Preset":
         "Gespeicherte Voreinstellung anwenden",
     "Apply a material of Facet & Film first: there is nothing to save":
@@ -80,6 +95,8 @@ TEXTS = {
         "Auf Node anwenden",
     "As published beside it":
         "Wie daneben veröffentlicht",
+    "As smooth or rough as the preset says":
+        "So glatt oder rau, wie die Voreinstellung sagt",
     "Asset Library":
         "Asset-Bibliothek",
     "At 0°":
@@ -102,6 +119,8 @@ TEXTS = {
         "Bei {place!r}: Was außen ist, steht vor einem senkrechten Strich, und hier sind mehrere.",
     "At {place!r}: {why}":
         "Bei {place!r}: {why}",
+    "Axis":
+        "Achse",
     "Azimuth":
         "Azimut",
     "Bake Spectral Preset":
@@ -137,6 +156,12 @@ TEXTS = {
         "nichts geändert",
     "Bring this file's materials by an older Facet & Film up to date; every value and link stays":
         "Bringt Materialien dieser Datei von einem älteren Facet & Film auf den neuen Stand; alle Werte und Verbindungen bleiben",
+    "Brushed":
+        "Gebürstet",
+    "Brushed Circular":
+        "Kreisförmig gebürstet",
+    "Brushed, Circular":
+        "Gebürstet, kreisförmig",
     "CIE standard observer":
         "CIE-Normalbeobachter",
     "CIEDE2000 at most {:.2f}":
@@ -147,6 +172,8 @@ TEXTS = {
         "CSV der Kurve",
     "CSV of the Spectrum":
         "CSV des Spektrums",
+    "Cast":
+        "Gegossen",
     "Cauchy b":
         "Cauchy b",
     "Cauchy c":
@@ -227,8 +254,16 @@ TEXTS = {
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Drained":
         "Abgelaufen",
+    "Dull and tarnished, rubbed bright at the edges":
+        "Matt und angelaufen, an den Kanten blank gerieben",
+    "Edge Roughness":
+        "Rauheit der Kanten",
     "Edge Tint":
         "Randtönung",
+    "Edge Width":
+        "Breite der Kanten",
+    "Edges rubbed bright, for Roughness and Tint":
+        "Blank geriebene Kanten, für Rauheit und Tönung",
     "Every parameter":
         "Alle Parameter",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -279,6 +314,14 @@ TEXTS = {
         "Film Anlauffarbe",
     "Film Thickness":
         "Filmdicke",
+    "Fine scratches, for Roughness and Normal":
+        "Feine Kratzer, für Rauheit und Normale",
+    "Fingerprints":
+        "Fingerabdrücke",
+    "Fingerprints and wipe marks, for Roughness":
+        "Fingerabdrücke und Wischspuren, für die Rauheit",
+    "Finish":
+        "Oberfläche",
     "First Thickness":
         "Erste Dicke",
     "Fit":
@@ -305,6 +348,8 @@ TEXTS = {
         "Gauß c",
     "Give a preset that you saved another name":
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
+    "Give this material another finish; what it is made of stays":
+        "Gibt diesem Material eine andere Oberfläche; woraus es besteht, bleibt",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
     "Glasses":
@@ -317,6 +362,8 @@ TEXTS = {
         "Größte Dicke",
     "Group":
         "Gruppe",
+    "Hammered":
+        "Gehämmert",
     "How many rms slopes the facets have":
         "Wie viele mittlere Steigungen die Facetten haben",
     "How the facets' slopes are distributed":
@@ -325,6 +372,8 @@ TEXTS = {
         "Wie die Formel zu einem Cycles-Material wird",
     "IOR":
         "Brechzahl",
+    "IOR Below":
+        "IOR darunter",
     "Illuminant":
         "Lichtart",
     "Image Rows":
@@ -365,6 +414,8 @@ TEXTS = {
         "Belassen",
     "Left out, as they take no materials or are linked: {:s}":
         "Ausgelassen, da sie keine Materialien nehmen oder verknüpft sind: {:s}",
+    "Length":
+        "Länge",
     "Light":
         "Licht",
     "Light and Gamut":
@@ -395,6 +446,8 @@ TEXTS = {
         "Material",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "Material: Name einer Voreinstellung, oder ein Datensatz wie main/Cu/Johnson. Tippen sucht",
+    "Matt, with an even, fine grain":
+        "Matt, mit gleichmäßigem, feinem Korn",
     "Measured Material":
         "Gemessenes Material",
     "Measured Surfaces":
@@ -450,10 +503,18 @@ TEXTS = {
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
     "Oxides":
         "Oxide",
+    "Parallel streaks, and highlights drawn out across them":
+        "Parallele Striche, und Glanzlichter quer zu ihnen gezogen",
+    "Parallel streaks, for Roughness, Normal and Tangent":
+        "Parallele Striche, für Rauheit, Normale und Tangente",
     "Parameters":
         "Parameter",
     "Paste Measurement":
         "Messung einfügen",
+    "Pits":
+        "Löcher",
+    "Polished":
+        "Poliert",
     "Polymers":
         "Polymere",
     "Preset":
@@ -466,12 +527,16 @@ TEXTS = {
         "Zu vergleichende Voreinstellung oder Datensatz",
     "Preset or dataset to compare with":
         "Voreinstellung oder Datensatz zum Vergleich",
+    "Preset's Own":
+        "Der Voreinstellung eigene",
     "Presets":
         "Voreinstellungen",
     "Principled Twin":
         "Principled-Zwilling",
     "Published Scale":
         "Veröffentlichte Skala",
+    "Randomness":
+        "Zufälligkeit",
     "Re-bake":
         "Neu backen",
     "Re-bake All Materials":
@@ -504,6 +569,8 @@ TEXTS = {
         "Rendert mit: {:s}",
     "Rotation":
         "Drehung",
+    "Rough, 1982":
+        "Rau, 1982",
     "Roughness":
         "Rauheit",
     "Rows":
@@ -514,6 +581,10 @@ TEXTS = {
         "Messpunkte",
     "Sampling Width":
         "Abtastbreite",
+    "Sandblasted":
+        "Sandgestrahlt",
+    "Satin":
+        "Seidenglanz",
     "Save Preset":
         "Voreinstellung speichern",
     "Save as Preset":
@@ -526,6 +597,10 @@ TEXTS = {
         "Maßstab der Szene",
     "Scene-linear space that the colours are written in":
         "Szenenlinearer Farbraum, in dem die Farben geschrieben werden",
+    "Scratch Roughness":
+        "Rauheit der Kratzer",
+    "Scratched":
+        "Zerkratzt",
     "See-through":
         "Durchsichtig",
     "See-through Shadows":
@@ -542,6 +617,10 @@ TEXTS = {
         "Aus mehreren Steigungen wird eine mit demselben Effektivwert.",
     "Shadows and caustics are the other program's own.":
         "Schatten und Kaustik sind die des anderen Programms.",
+    "Shallow dimples side by side, each with its own highlight":
+        "Flache Dellen nebeneinander, jede mit eigenem Glanzlicht",
+    "Shallow dimples, for Roughness and Normal":
+        "Flache Dellen, für Rauheit und Normale",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
@@ -556,6 +635,18 @@ TEXTS = {
         "Steigungen",
     "Small fields of view; what displays are calibrated for":
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
+    "Smooth, with clear reflections that are soft at their edges":
+        "Glatt, mit klaren Spiegelungen, deren Ränder weich sind",
+    "Smooth, with fine scratches in all directions":
+        "Glatt, mit feinen Kratzern in allen Richtungen",
+    "Smooth, with fingerprints and the marks of wiping":
+        "Glatt, mit Fingerabdrücken und Wischspuren",
+    "Smudge Roughness":
+        "Rauheit der Schmierflecken",
+    "Smudged":
+        "Verschmiert",
+    "Softness":
+        "Weichheit",
     "Specular":
         "Glanz",
     "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
@@ -566,6 +657,10 @@ TEXTS = {
         "Abgebrochen: Kein Material wurde geändert",
     "Stopped: nothing was fitted":
         "Abgebrochen: Es wurde nichts angepasst",
+    "Streaks in circles, as from a lathe or on the foot of a pan":
+        "Striche in Kreisen, wie von der Drehbank oder auf einem Topfboden",
+    "Streaks in circles, for Roughness, Normal and Tangent":
+        "Striche in Kreisen, für Rauheit, Normale und Tangente",
     "Sulphides":
         "Sulfide",
     "Switch Realisation":
@@ -576,6 +671,8 @@ TEXTS = {
         "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
     "Tangent":
         "Tangente",
+    "Tarnish":
+        "Anlauf",
     "Temperature":
         "Temperatur",
     "Texture":
@@ -584,6 +681,8 @@ TEXTS = {
         "Texturanteil",
     "The Papers' Figures":
         "Abbildungen der Veröffentlichungen",
+    "The coarse, dull skin of a sand mould, with pits":
+        "Die grobe, matte Haut einer Sandform, mit Löchern",
     "The colour inside that looks most alike, by CIEDE2000":
         "Die Farbe innerhalb, die nach CIEDE2000 am ähnlichsten aussieht",
     "The devices that are switched on under System, Cycles Render Devices":
@@ -632,6 +731,8 @@ TEXTS = {
         "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
     "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
         "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
+    "The rough finish of the paper's copper vase":
+        "Die raue Oberfläche der Kupfervase aus der Veröffentlichung",
     "The same with the colours of the rainbow, each refracted by its own index":
         "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
@@ -646,6 +747,8 @@ TEXTS = {
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
     "The simplest of the others of which no other comes clearly closer":
         "Die einfachste der übrigen, der keine andere deutlich näher kommt",
+    "The skin of a sand mould, for Roughness and Normal":
+        "Die Haut einer Sandform, für Rauheit und Normale",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -680,6 +783,8 @@ TEXTS = {
         "Diese Datei ist keine Voreinstellung von Facet & Film.",
     "This material is the file's own already":
         "Dieses Material gehört der Datei schon",
+    "This model has no roughness that a finish could vary":
+        "Dieses Modell hat keine Rauheit, die eine Oberfläche verändern könnte",
     "Time":
         "Zeit",
     "Tint":
@@ -691,6 +796,8 @@ TEXTS = {
         "Mit dieser OpenColorIO-Konfiguration kommen Pixel nicht so aus einer OpenEXR-Datei zurück, wie sie "
         "gerendert wurden, also lässt sich nichts prüfen: eine mit einer Rolle für Daten nehmen oder Blender "
         "ohne sie starten.",
+    "Unevenness":
+        "Ungleichmäßigkeit",
     "Update Materials":
         "Materialien aktualisieren",
     "Usual":
@@ -713,6 +820,8 @@ TEXTS = {
         "Spannung",
     "Wavelengths":
         "Wellenlängen",
+    "Wear":
+        "Abnutzung",
     "Weight 1":
         "Gewicht 1",
     "Weight 2":
@@ -743,14 +852,22 @@ TEXTS = {
         "Worauf die Proben gerendert werden",
     "What to write":
         "Was geschrieben wird",
+    "What was done to the surface":
+        "Wie die Oberfläche bearbeitet wurde",
     "Which group to add":
         "Welche Gruppe hinzugefügt wird",
     "Which presets to show pictures of":
         "Von welchen Voreinstellungen Bilder gezeigt werden",
+    "Width":
+        "Breite",
+    "Wipe Marks":
+        "Wischspuren",
     "Workbench shows the viewport colour only: choose Cycles in the Render properties":
         "Workbench zeigt nur die Ansichtsfarbe: In den Render-Eigenschaften Cycles wählen",
     "Working Space":
         "Arbeitsfarbraum",
+    "Worn Edges":
+        "Abgenutzte Kanten",
     "Write the active material as its node holds it now: JSON, CSV or MaterialX":
         "Schreibt das aktive Material, wie sein Node es jetzt enthält: JSON, CSV oder MaterialX",
     "Wrote {:s}":
@@ -801,6 +918,8 @@ TEXTS = {
         "energiegleich",
     "fair":
         "mäßig",
+    "finish":
+        "Oberfläche",
     "fluorescent, D65 simulator, 6510 K":
         "Leuchtstofflampe, D65-Simulator, 6510 K",
     "good":
@@ -917,6 +1036,8 @@ TEXTS = {
         "{:s} wurde von Hand geändert und bleibt, wie es ist",
     "{:s} was made by a newer Facet & Film: install that one to change it":
         "{:s} stammt von einem neueren Facet & Film: dieses installieren, um es zu ändern",
+    "{:s}: finish {:s}":
+        "{:s}: Oberfläche {:s}",
     "{:s}: version {:d}, now {:d}":
         "{:s}: Version {:d}, jetzt {:d}",
     "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":

@@ -4,6 +4,7 @@ import numpy as np
 
 from ... import export
 from ...export.standin import LOST, Standin
+from ..standins import standin_of
 from .formulas import sigma_of
 
 __all__ = ["standin", "write_form"]
@@ -12,9 +13,13 @@ FARTHEST = 1e3
 """Metres beyond which what is left of the light is not asked for."""
 
 
-def write_form(_form, record):
-    """The text of the form "json": what was baked, the parameters, and both as glTF and OpenPBR call them."""
-    found = standin(record)
+def write_form(form, record):
+    """The text of a form: "materialx"; or "json", what was baked, the parameters, and both as glTF and OpenPBR say."""
+    found = standin_of(record)
+    if form == "materialx":
+        source = record.baked["source"]
+        said = "; ".join((record.title, *(source[key] for key in ("dataset", "k_dataset", "citation", "licence"))))
+        return export.materialx_of_standin(record.baked["name"], said, found)
     core, extensions = export.gltf(found)
     return export.json_text({**record.baked, "parameters": record.parameters.to_dict(),
                              "gltf": {"pbrMetallicRoughness": core, "extensions": extensions},

@@ -90,7 +90,7 @@ MODEL = Model(
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
         "spectrum_csv": Form("CSV of the Spectrum", "The measured points: wavelength_nm, n, k", ".csv"),
-        "materialx": Form("MaterialX", "conductor_bsdf and generalized_schlick_bsdf", ".mtlx"),
+        "materialx": Form("MaterialX", "conductor_bsdf, generalized_schlick_bsdf and open_pbr_surface", ".mtlx"),
     },
     write_form=_write_form,
     swatch=_swatch,

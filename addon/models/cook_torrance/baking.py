@@ -3,10 +3,11 @@
 import numpy as np
 
 from ...bake import bake
-from ...bake.baking import conductor_of_curve
-from ...bake.colour import rgb_to_xyz, space_to_space
+from ...bake.baking import FORMULAS, conductor_of_curve
+from ...bake.colour import lab, rgb_to_xyz, space_to_space
+from ...bake.fit import largest_delta_e
 from ...bake.gamut import map_colours
-from ...bake.reflected import ANGLES, AT_NORMAL, Viewing, reflect
+from ...bake.reflected import ANGLES, AT_NORMAL, COMPARED, Viewing, reflect
 from ...reflectance import fresnel
 from ..model import Baked, Look
 from ..realisations import REALISATIONS
@@ -38,7 +39,7 @@ def bake_for(resolved, viewing, realisation, renderer):
     CIEDE2000.
     """
     if resolved.constants is None:
-        return _as_stated(resolved.preset, renderer.space)
+        return _as_stated(resolved.preset, realisation, renderer)
     baked, variant = _fitted(resolved, viewing, realisation, renderer)
     found = facts(resolved, baked)
     diffuse = tuple(min(max(channel, 0.0), 1.0) for channel in found["diffuse_rgb"])
@@ -46,31 +47,35 @@ def bake_for(resolved, viewing, realisation, renderer):
     return Baked(parameters, found, variant)
 
 
-def _as_stated(preset, space):
-    """The Baked of a preset whose n, k and diffuse colour are given, for linear Rec.709; here in another space."""
-    stated = dict(preset.parameters)
-    if space != "Rec.709":
-        surface = CookTorrance(**stated)
-        to_space = np.linalg.solve(rgb_to_xyz(space), rgb_to_xyz("Rec.709"))
-        stated["diffuse"] = tuple(np.clip(to_space @ surface.diffuse, 0.0, 1.0).tolist())
-        n, k = np.array(surface.n), np.array(surface.k)
-        f0 = np.clip(to_space @ (((n - 1.0) ** 2 + k * k) / ((n + 1.0) ** 2 + k * k)), 1e-6, 0.96)
-        stated["n"], stated["k"] = map(tuple, _of_f0(f0, n, k))
-    return Baked(stated, {"name": preset.name, "title": preset.title, "kind": preset.kind, "note": preset.note})
+def _as_stated(preset, realisation, renderer):
+    """The Baked of a preset whose n, k and diffuse colour are given, for linear Rec.709; here in another space.
 
-
-def _of_f0(f0, n, k):
-    """n and k of a normal reflectance, k as near as can be to a given one, n the root on the same side.
-
-    f0 = ((n − 1)² + k²)/((n + 1)² + k²) solved for n: n² − 2 n (1 + f0)/(1 − f0) + 1 + k² = 0.
-
-    >>> [x.round(6).tolist() for x in _of_f0(np.array([0.04]), np.array([1.4]), np.array([0.0]))]
-    [[1.5], [0.0]]
+    n and k stay what they are, whatever the renderer evaluates: its conductor or F82, which comes closer.
     """
-    middle = (1.0 + f0) / (1.0 - f0)
-    k = np.minimum(k, np.sqrt(middle**2 - 1.0))
-    side = np.where(n * n > 1.0 + k * k, 1.0, -1.0)
-    return middle + side * np.sqrt(np.maximum(middle**2 - 1.0 - k * k, 0.0)), k
+    stated = dict(preset.parameters)
+    surface = CookTorrance(**stated)
+    if renderer.space != "Rec.709":
+        diffuse = space_to_space("Rec.709", renderer.space) @ surface.diffuse
+        stated["diffuse"] = tuple(np.clip(diffuse, 0.0, 1.0).tolist())
+        stated.update(respaced(surface, {"n", "k"}, "Rec.709", renderer.space))
+        surface = CookTorrance(**stated)
+    variant = BY_CONDUCTOR
+    if REALISATIONS[realisation].native and renderer.formula != "exact":
+        variant = _closer(np.array(surface.n), np.array(surface.k), renderer)
+    facts_ = {"name": preset.name, "title": preset.title, "kind": preset.kind, "note": preset.note}
+    return Baked(stated, facts_, variant)
+
+
+def _closer(n, k, renderer):
+    """Which closure's curve is closer to the exact one of n and k."""
+    c = ANGLES[COMPARED, None]
+    exact = fresnel.conductor(c, n, k)
+    f0 = fresnel.conductor(1.0, n, k)
+    tint = fresnel.f82_tint_of(f0, fresnel.conductor(fresnel.COS_THETA_82, n, k))
+    by_f82 = fresnel.f82(c, np.clip(f0, 0.0, 1.0), np.clip(tint, 0.0, 1.0))
+    off = [largest_delta_e(curve, lab(exact, renderer.space), renderer.space)
+           for curve in (FORMULAS[renderer.formula](c, n, k), by_f82)]
+    return BY_CONDUCTOR if off[0] <= off[1] else BY_F82
 
 
 def facts(resolved, baked):

@@ -9,6 +9,8 @@ from ...bake.standin_fit import COS_THETA, fit_dielectric, fit_metal, fit_mirror
 from ...catalogue.resolving import resolve
 from ...export.standin import LOST, Standin, index_of
 from ...reflectance import fresnel
+from ..moving import moved
+from ..standins import standin_of
 from . import MODEL
 from .formulas import dyed
 
@@ -26,12 +28,14 @@ def write_form(form, record):
     """
     if form == "spectrum_csv":
         return export.spectrum_csv(resolve(record.source.meant()).constants)
+    if form == "materialx":
+        here = record if record.viewing["space"] in export.COLOUR_SPACES else moved(record)
+        return export.materialx(baked_for_export(here), **shape(here.parameters), standin=standin_of(record))
     baked, p = baked_for_export(record), record.parameters
     if form == "csv":
         return export.curve_csv(baked)
-    if form == "materialx":
-        return export.materialx(baked, **shape(p))
-    return export.json_text({**baked.to_dict(), "diffuse_rgb": dyed(p)[2].tolist(), **_of_the_surface(p)})
+    return export.json_text({**baked.to_dict(), "diffuse_rgb": dyed(p)[2].tolist(), **_of_the_surface(p),
+                             "finish": record.finish})
 
 
 def baked_for_export(record):

@@ -59,13 +59,13 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Fast", 1, "fast.build",
+        Group("film_fast", "Film Fast", 2, "fast.build",
               "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device",
               stand_in="film_eevee", pictured=True),
         Group("film_exact", "Film Exact", 2, "exact.build",
               "Stacks of films at the angle of each facet, sampled with nodes alone, on every device",
               stand_in="film_eevee", pictured=True),
-        Group("film_eevee", "Film EEVEE", 1, "fast.build_eevee",
+        Group("film_eevee", "Film EEVEE", 2, "fast.build_eevee",
               "Stacks of films by one native closure, for EEVEE", in_menu=False, pictured=True),
         Group(THICKNESS_GROUP, "Film Thickness", 1, "thickness.build",
               "Thickness in nanometres that varies by noise, a gradient or a texture"),
@@ -84,6 +84,7 @@ MODEL = Model(
     forms={
         "json": Form("JSON", "Everything that was baked", ".json"),
         "csv": Form("CSV of the Curve", "Colour over angle: cos_theta, r, g, b", ".csv"),
+        "materialx": Form("MaterialX", "open_pbr_surface and a conductor_bsdf with a thin film", ".mtlx"),
     },
     write_form=_write_form,
     swatch=_swatch,

@@ -2,10 +2,15 @@
 
 import numpy as np
 
+from ... import export
+from ...bake import bake
 from ...bake.standin_fit import COS_THETA, fit_metal, fit_mirror
 from ...export import json_text
 from ...export.standin import LOST, Standin
-from .tables import stack_of, table_of
+from ..moving import moved
+from ..standins import standin_of
+from .formulas import slope
+from .tables import ABSORBING, stack_of, table_of
 
 __all__ = ["standin", "write_form"]
 
@@ -14,7 +19,11 @@ ANGLES = 91
 
 
 def write_form(form, record):
-    """The text of a form: "json", or "csv" of the exact curve over angle at the material's thickness."""
+    """The text of a form: "json", "materialx", or "csv" of the exact curve over angle at the material's thickness."""
+    if form == "materialx":
+        here = moved(record)
+        said = f"{record.title}; {record.parameters.stack}"
+        return export.materialx_of_standin(record.baked["name"], said, standin_of(record), film=_film_on_a_metal(here))
     if form == "json":
         return json_text(record.to_dict())
     cosines, rgb = _curve(record)
@@ -40,6 +49,16 @@ def standin(record):
     fit, alone = fit_mirror(seen), fit_mirror(seen, with_edge=False)
     return Standin(fit.base, 1.0, edge=fit.beside, base_alone=alone.base,
                    delta_e=(fit.delta_e_mean, alone.delta_e_mean), **surface)
+
+
+def _film_on_a_metal(record):
+    """(n, k, m, thickness in nm, index) of one film on what absorbs, or None for other stacks."""
+    p, below = record.parameters, stack_of(record.parameters.stack).below_constants
+    film = _one_film(record)
+    if film is None or p.see_through > 0.0 or float(np.asarray(below.at(550.0)[1]).ravel()[0]) < ABSORBING:
+        return None
+    metal = bake(below, **record.viewing).conductor
+    return metal.n, metal.k, float(slope(p.roughness)), *film
 
 
 def _one_film(record):

@@ -73,6 +73,9 @@ TABLE = (
     Number(name="see_through", socket="See-through", default=0.0, low=0.0, high=1.0, subtype="FACTOR",
            tip="Share that passes on of what the film does not reflect or absorb: 1 for soap films and panes, which "
                "are then single-walled. Bake again after changing it from 0"),
+    Number(name="ior_below", symbol="n", socket="IOR Below", default=1.0, low=1.0, high=10.0, slider=(1.0, 4.0),
+           tip="Index of the clear body that the film coats, which refracts what is seen through it: 1.52 for a lens "
+               "of glass; 1: the mesh is one sheet, and light goes straight on"),
     Direction(name="normal", symbol="N", socket="Normal",
               tip="Shading normal; the surface's own where nothing is plugged in"),
     Number(name="sampling_width", socket="Sampling Width", key="width", default=0.2, low=0.0, high=1.0,

@@ -1,6 +1,6 @@
 """What every group of films by nodes shares: the surface, and the look-up in the table's image."""
 
-from ...operands import clip, dot, minimum, sqrt, vector, widen
+from ...operands import clip, dot, less, maximum, minimum, sqrt, vector, where, widen
 from ...reflectance.directions import facing
 from ..parameters import add_inputs
 from .formulas import slope
@@ -29,14 +29,29 @@ class Surface:
         with builder.frame("Column"):
             s = self.sockets
             self._column = (s.d - s.first) * ((s.columns - 1.0) / (s.last - s.first))
+        with builder.frame("Body below"):
+            straight = maximum(*(builder.node("ShaderNodeLightPath", output=f"Is {kind} Ray")
+                                 for kind in ("Shadow", "Diffuse")))
+            self._refracts = 0.0 if closest else less(1.0, s.ior_below) * (1.0 - straight)
+            back = builder.node("ShaderNodeNewGeometry", output="Backfacing")
+            self._inside = where(self._refracts * back, s.ior_below, 1.0)
 
     def look(self, c):
-        """Colour of the film at cos θ."""
-        return self._look(sqrt(clip(c, 0.0, 1.0)) * (self.sockets.rows - 1.0))
+        """Colour of the film at cos θ; from within a body that refracts at the angle outside, or all of the light."""
+        squared = self._squared_outside(c)
+        return where(less(squared, 0.0), (1.0, 1.0, 1.0), self._look(self._row(squared)))
 
     def absorbed(self, c):
         """The share that it absorbs."""
-        return self._look(sqrt(clip(c, 0.0, 1.0)) * (self.sockets.rows - 1.0) + self.sockets.rows)
+        squared = self._squared_outside(c)
+        return where(less(squared, 0.0), (0.0, 0.0, 0.0), self._look(self._row(squared) + self.sockets.rows))
+
+    def _squared_outside(self, c):
+        """cos² of the angle outside, by Snell's law; below 0 where the body reflects all."""
+        return 1.0 - (1.0 - clip(c, 0.0, 1.0) * clip(c, 0.0, 1.0)) * (self._inside * self._inside)
+
+    def _row(self, squared):
+        return sqrt(sqrt(clip(squared, 0.0, 1.0))) * (self.sockets.rows - 1.0)
 
     def closures(self, *lobes, reflected):
         """The sum of the film's lobes, what passes on where it is seen through, and the diffuse part.
@@ -46,13 +61,23 @@ class Surface:
         builder, s = self.builder, self.sockets
         with builder.frame("1 - R - A"):
             passed = (1.0, 1.0, 1.0) - reflected - self.absorbed(self.n_v)
-            clear = builder.scale_shader(s.see_through, builder.node("ShaderNodeBsdfTransparent", {
-                "Color": clip(passed, 0.0, 1.0)}))
+            clear = builder.scale_shader(s.see_through, self._passage(clip(passed, 0.0, 1.0)))
         with builder.frame("R = s Rs + d Rd"):
             share = (1.0 - s.specular) * (1.0 - s.see_through)
             diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": s.diffuse, "Normal": self.n})
             film = builder.scale_shader(s.specular, builder.add_shaders(*lobes))
             return builder.add_shaders(film, builder.scale_shader(share, diffuse), clear)
+
+    def _passage(self, colour):
+        """What passes on: straight, or refracted by the body below."""
+        straight = self.builder.node("ShaderNodeBsdfTransparent", {"Color": colour})
+        if self._closest:
+            return straight
+        refracted = self.builder.node("ShaderNodeBsdfRefraction", {
+            "Color": colour, "IOR": self.sockets.ior_below, "Roughness": self.sockets.roughness, "Normal": self.n},
+            distribution="BECKMANN")
+        return self.builder.node("ShaderNodeMixShader", {"Fac": self._refracts, "Shader": straight,
+                                                         "Shader_001": refracted})
 
     def glossy(self, colour, normal, roughness, **inputs):
         """A Beckmann lobe."""

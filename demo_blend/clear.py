@@ -105,7 +105,7 @@ def _straw():
 
 def cut_diamond(job):
     """A brilliant, Dispersive, under small lamps in dim surroundings, which make its fire."""
-    scene = clear_scene(job, 960, 720, 112)
+    scene = clear_scene(job, 640, 480, 64)
     stone = mesh_object("Brilliant", *brilliant(), _material("diamond"))
     stone.rotation_euler = (np.radians(36.0), np.radians(8.0), 0.3)
     stone.location = (0.0, 0.0, 0.86)
@@ -116,15 +116,15 @@ def cut_diamond(job):
         height = random.uniform(0.25, 1.2)
         place = 9.0 * np.array([np.cos(turn) * np.cos(height), np.sin(turn) * np.cos(height), np.sin(height)])
         add_softbox(scene, tuple(place), (0.0, 0.0, 0.8), 1.1, 14.0)
-    add_softbox(scene, (-3.0, -5.0, 7.0), (0.0, 0.0, 0.8), (3.0, 3.0), 2.5)
-    add_camera(scene, (0.0, -5.2, 3.6), (0.0, 0.0, 0.80), 90.0)
+    add_softbox(scene, (-3.0, -5.0, 7.0), (0.0, 0.0, 0.8), (1.2, 1.2), 2.5)
+    add_camera(scene, (0.0, -6.6, 4.5), (0.0, 0.0, 0.86), 85.0)
     job.write(job.render(scene, "brilliant"), "clear_brilliant.jpg")
     job.save_scene("clear_brilliant")
 
 
 def bottles(job):
     """Wine and beer bottles as solid walls before a bright ground."""
-    scene = clear_scene(job, 720, 960, 48)
+    scene = clear_scene(job, 480, 640, 32)
     for x, preset, size in ((-0.62, "bottle_green", 1.0), (0.62, "bottle_brown", 0.86)):
         bottle = turned_object(preset, BOTTLE_PROFILE, _material(preset, scene_scale=0.1))
         bottle.location, bottle.scale = (x, 0.0, 0.0), (size,) * 3
@@ -142,7 +142,7 @@ PANES = ("window_glass", "green_glass", "bronze_glass", "cobalt_glass", "filter_
 
 def window(job):
     """Panes of six glasses, thin-walled, in the sun: straight shadows in the colours of the panes, without noise."""
-    scene = clear_scene(job, 960, 720, 40)
+    scene = clear_scene(job, 800, 600, 24)
     frame = matt("Frame", (0.33, 0.29, 0.25))
     for column in range(3):
         for row in range(2):
@@ -164,16 +164,16 @@ def window(job):
 
 def bubbles(job):
     """Soap bubbles: the film model's sheet between air and air."""
-    scene = clear_scene(job, 640, 480, 40)
+    scene = clear_scene(job, 560, 420, 16, exposure=0.8)
     bubble = _material("soap_bubble")
     for place, size in (((-0.75, 0.0, 1.35), 1.0), ((0.95, 0.5, 1.9), 0.55), ((0.75, -0.7, 0.75), 0.42)):
         ball = turned_object("Bubble", _circle(), bubble, segments=96, points_between=2)
         ball.location, ball.scale = place, (size,) * 3
     add_cove(scene, (0.02, 0.022, 0.028), back=5.0)
     set_sky(scene, (0.7, 0.75, 0.85), (0.45, 0.46, 0.48), (0.05, 0.05, 0.05))
-    add_softbox(scene, (-5.0, -3.0, 6.0), (0.0, 0.0, 1.2), (4.0, 4.0), 3.0)
-    add_softbox(scene, (5.0, -1.0, 4.0), (0.0, 0.0, 1.2), (1.5, 5.0), 3.0)
-    add_softbox(scene, (0.0, 5.0, 7.0), (0.0, 0.0, 1.2), (6.0, 2.5), 2.5)
+    add_softbox(scene, (-5.0, -3.0, 6.0), (0.0, 0.0, 1.2), (4.0, 4.0), 6.0)
+    add_softbox(scene, (5.0, -1.0, 4.0), (0.0, 0.0, 1.2), (1.5, 5.0), 6.0)
+    add_softbox(scene, (0.0, 5.0, 7.0), (0.0, 0.0, 1.2), (6.0, 2.5), 5.0)
     add_camera(scene, (0.0, -9.0, 2.0), (0.0, 0.0, 1.35), 85.0)
     job.write(job.render(scene, "bubbles"), "clear_bubbles.jpg")
     job.save_scene("clear_bubbles")

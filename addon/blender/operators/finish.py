@@ -1,0 +1,68 @@
+"""The operator that puts a finish on a material."""
+
+import bpy
+from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_rpt as rpt_
+
+from ...errors import FacetFilmError
+from ...finishes import all_finishes
+from ..datablocks.locked import why_locked
+from ..datablocks.materials import finish_of, model_of
+from .targets import active_material
+
+__all__ = ["CLASSES", "NONE", "shown_finish", "why_not"]
+
+NONE = "NONE"
+"""In place of a finish: the preset's own surface."""
+ITEMS = ((NONE, "Preset's Own", "As smooth or rough as the preset says"),
+         *((finish.name, finish.title, finish.note) for finish in all_finishes()))
+
+
+def shown_finish(material):
+    """What a material's finish is called in the interface's language."""
+    name = finish_of(material) or NONE
+    return iface_(next(title for item, title, _ in ITEMS if item == name))
+
+
+class FACET_FILM_OT_apply_finish(bpy.types.Operator):
+    """Give this material another finish; what it is made of stays"""
+
+    bl_idname = "facet_film.apply_finish"
+    bl_label = "Apply Finish"
+    bl_options = {"REGISTER", "UNDO"}
+
+    finish: bpy.props.EnumProperty(name="Finish", items=ITEMS, description="What was done to the surface")
+
+    @classmethod
+    def poll(cls, context):
+        """Needs a material of ours in this file, whose model has a roughness."""
+        reason = why_not(active_material(context))
+        if reason:
+            cls.poll_message_set(reason)
+        return not reason
+
+    def execute(self, context):
+        """Put it on, and say so."""
+        from ...api import apply_finish
+        material = active_material(context)
+        try:
+            apply_finish(material, "" if self.finish == NONE else self.finish)
+        except FacetFilmError as error:
+            self.report({"ERROR"}, error.said(rpt_))
+            return {"CANCELLED"}
+        self.report({"INFO"}, rpt_("{:s}: finish {:s}").format(material.name, shown_finish(material)))
+        return {"FINISHED"}
+
+
+def why_not(material):
+    """Why a material takes no finish, or an empty text."""
+    from ...finishes.feeding import takes
+    model = model_of(material)
+    if model is None:
+        return rpt_("Bake a preset first: this material is not one of Facet & Film")
+    if not takes(model):
+        return rpt_("This model has no roughness that a finish could vary")
+    return why_locked(material)
+
+
+CLASSES = (FACET_FILM_OT_apply_finish,)
