@@ -11,8 +11,8 @@ from ..operands import less, log, maximum, minimum, sqrt, where
 
 __all__ = ["narrow_slope", "wide_slope", "narrowed", "towards_flanks", "squared_tilt", "chosen"]
 
-MOST_ALONG = 0.8
-"""Largest slope along the rings, as a share of m."""
+WIDEST = 0.8
+"""Largest slope of a lobe about a facet, as a share of m: what is left is drawn."""
 LEAST_RANDOM = 1e-7
 """Keeps logarithms from 0."""
 
@@ -21,12 +21,12 @@ def narrow_slope(m, width):
     """Slope a, across the rings about N, of the lobes about facets of rms slope m: 2.25 width·m/√(1 + 55 m²).
 
     width  Sampling Width, [0, 1].  The kinks of the V-cavity G, which the lobes
-           blur, lie at fixed angles, so a stays below 0.31 width on rough surfaces.
+           blur, lie at fixed angles, so a stays below 0.31 width on rough surfaces, and below 0.8 m.
 
     >>> round(float(narrow_slope(0.2, 0.2)), 4), round(float(narrow_slope(0.6, 0.2)), 4)
     (0.0503, 0.0592)
     """
-    return 2.25 * width * m / sqrt(1.0 + 55.0 * (m * m))
+    return minimum(2.25 * width, WIDEST) * m / sqrt(1.0 + 55.0 * (m * m))
 
 
 def wide_slope(m, width):
@@ -35,7 +35,7 @@ def wide_slope(m, width):
     >>> round(float(wide_slope(0.2, 0.2)), 4), round(float(wide_slope(0.6, 0.2)), 4)
     (0.0696, 0.1218)
     """
-    return minimum(2.0 * width, MOST_ALONG) * m / sqrt(1.0 + 8.0 * (m * m))
+    return minimum(2.0 * width, WIDEST) * m / sqrt(1.0 + 8.0 * (m * m))
 
 
 def narrowed(m, a):

@@ -314,7 +314,7 @@ def test_widths():
     assert stretch == 1.0
     assert sampling.narrow_slope(1.0, 1.0) < 0.34
     assert sampling.wide_slope(0.3, 0.0) == 0.0
-    assert sampling.wide_slope(1.0, 1.0) < sampling.MOST_ALONG
+    assert sampling.wide_slope(1.0, 1.0) < sampling.WIDEST
 
 
 def test_scales():
