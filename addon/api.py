@@ -52,10 +52,10 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
     preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters
                  alone
-    realisation  "fast" (native closures), "exact" (the formula, nodes alone), "osl" (the formula, by OSL),
-                 "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of the rainbow);
-                 by default the one that the preset is meant for, else "fast".  Where Open Shading Language is off,
-                 a material by OSL shows "exact" or "fast" instead, and a warning says so
+    realisation  "fast" or "standard" (native closures), "exact" or "reference" (the formula, nodes alone), "osl" (the
+                 formula, by OSL), "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of
+                 the rainbow); by default the one that the preset is meant for, else "fast".  Where Open Shading
+                 Language is off, a material by OSL shows "exact" or "fast" instead, and a warning says so
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
@@ -101,7 +101,7 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     """Render one of our materials by another realisation; everything that the user set stays.
 
     material     a bpy.types.Material made by :func:`create_material`
-    realisation  "fast", "exact", "osl" or "osl_fast"
+    realisation  "fast" or "standard", "exact" or "reference", "osl" or "osl_fast"
 
     Where n and k are still as baked and the other realisation evaluates another
     Fresnel formula (Blender 4.5), they are baked again for it.  Raises
@@ -113,8 +113,8 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     record = materials.record_of(material)
     locked.require_editable(material)
     new = switched(record, realisation, compat.renderer())
-    _require_osl(realisation)
-    _warn_without_osl(realisation)
+    _require_osl(new.realisation)
+    _warn_without_osl(new.realisation)
     materials.write(material, new)
 
 

@@ -26,7 +26,7 @@ class Layout:
         """A part of this layout."""
         return Layout(self)
 
-    column = box = split = row
+    column = box = split = grid_flow = row
 
     def panel(self, _name, default_closed=False):
         """(head, body) of a part that opens and closes; Blender gives no body of one that is closed."""
@@ -58,7 +58,7 @@ class Layout:
     def template_icon(self, *_arguments, **_options):
         """Nothing to note."""
 
-    template_node_link = separator = menu = popover = template_icon
+    template_node_link = separator = menu = popover = template_asset_shelf_popover = template_icon
 
 
 def properties_editor(target=None, material=None):

@@ -2,11 +2,11 @@
 
     python tools/build_assets.py [--again]
 
-It holds every preset as a material that renders by Fast, but those whose image and copy of a group no other
-shares, which would weigh 80 kB each and are baked where they are picked; every node group of the Add menu but those
-of OSL, whose compiled code belongs to one Blender version, and a Fresnel ramp; with the previews of addon/thumbnails
-(tools/render_previews.py), catalogues, tags, author and licence.  n and k are for the exact conductor Fresnel; in
-Blender 4.5, which evaluates another, the extension bakes again what is brought in.
+It holds every preset but near duplicates as a material that renders by Fast; every node group of the Add menu but those
+of OSL, whose compiled code belongs to one Blender version, and a Fresnel ramp. A film whose image and copy of a group
+no other shares would weigh 80 kB: the library holds a stand-in, which the extension bakes when it is brought in.
+All have the previews of addon/thumbnails (tools/render_previews.py), catalogues, tags, author and licence.  n and k are
+for the exact conductor Fresnel; in Blender 4.5, which evaluates another, the extension bakes again what is brought in.
 """
 
 import argparse
@@ -19,12 +19,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from addon.blender.assets.names import asset_name  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
-from addon.catalogue.kinds import KINDS  # noqa: E402
+from addon.catalogue.categories import CATEGORIES  # noqa: E402
+from addon.catalogue.entries import THUMBNAILS, entries, thumbnail  # noqa: E402
 from addon.models import named  # noqa: E402
 from tools import stamps  # noqa: E402
 
-__all__ = ["AUTHOR", "CATALOGUES", "FILE", "LICENCE", "build", "catalogue_text", "ensure", "held"]
+__all__ = ["AUTHOR", "CATALOGUES", "FILE", "LICENCE", "build", "catalogue_text", "ensure", "held", "shown"]
 
 FOLDER = ROOT / "node_groups" / "assets"
 FILE = FOLDER / "facet_film_assets.blend"
@@ -32,9 +34,10 @@ STAMP = FOLDER / "stamp.json"
 CATALOGUE_FILE = FOLDER / "blender_assets.cats.txt"
 AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
-THUMBNAILS = ROOT / "addon" / "thumbnails"
 GROUPS = "group"
-CATALOGUES = {**KINDS, GROUPS: "Node Groups"}
+PREVIEW = 128
+"""At most so many pixels across: of the pictures, whatever their size, the library keeps this much."""
+CATALOGUES = {**CATEGORIES, GROUPS: "Node Groups"}
 """What an asset is -> its catalogue."""
 
 HEAD = """\
@@ -52,7 +55,7 @@ def catalogue_id(kind):
 
 def catalogue_text():
     """blender_assets.cats.txt: a line "UUID:path:simple name" for each catalogue."""
-    return HEAD + "".join(f"{catalogue_id(kind)}:{path}:{path}\n"
+    return HEAD + "".join(f"{catalogue_id(kind)}:{path}:{path.replace('/', '-')}\n"
                           for kind, path in sorted(CATALOGUES.items(), key=lambda item: item[1]))
 
 
@@ -63,16 +66,21 @@ def ensure(again=False):
     start = time.perf_counter()
     count = build(FILE)
     data = {*(ROOT / "addon" / "models").glob("*/presets.json"), *(ROOT / "addon" / "spectra" / "data").iterdir(),
-            *THUMBNAILS.glob("*.png")}
+            *THUMBNAILS.iterdir()}
     stamps.write(STAMP, stamps.loaded_sources() | data)
     took, size = time.perf_counter() - start, FILE.stat().st_size / 1024
     print(f"{count} assets built in {took:.0f} s, {size:.0f} kB", flush=True)
     return True
 
 
+def shown():
+    """The presets that have a picture of their own: near duplicates stand under their material, and are searched."""
+    return [presets.find(entry.name) for entry in entries().values() if not entry.variant_of]
+
+
 def held():
-    """The presets that the library holds."""
-    everything = presets.all_presets().values()
+    """The presets that the library holds whole."""
+    everything = shown()
     of_words = {preset.name: _words(preset) for preset in everything}
     shared = Counter(of_words.values())
     return [preset for preset in everything if of_words[preset.name] is None or shared[of_words[preset.name]] > 1]
@@ -93,14 +101,15 @@ def build(file):
     from addon.models.making import made
     bpy.ops.wm.read_factory_settings(use_empty=True)
     assets = []
-    for number, preset in enumerate(held(), 1):
+    everything, whole = shown(), set(held())
+    for number, preset in enumerate(everything, 1):
         record = made(preset=preset.name)
-        material = materials.create(record)
-        _as_asset(material, preset.name, preset.kind, _description(preset, record),
-                  (CATALOGUES[preset.kind], preset.name, *preset.aliases))
+        material = materials.create(record, asset_name(preset)) if preset in whole else _stand_in(record, preset)
+        _as_asset(material, preset.name, preset.category, _description(preset, record),
+                  (*CATALOGUES[preset.category].split("/"), preset.name, *preset.aliases))
         assets.append(material)
         if number % 50 == 0:
-            print(f"{number} of {len(held())} materials", flush=True)
+            print(f"{number} of {len(everything)} materials", flush=True)
     for group in groups.all_groups():
         if group.in_menu and not group.osl:
             tree = groups.node_group(group.identifier)
@@ -114,6 +123,16 @@ def build(file):
     bpy.data.libraries.write(str(file), set(assets), fake_user=True, compress=True)
     CATALOGUE_FILE.write_text(catalogue_text(), encoding="utf-8")
     return len(assets)
+
+
+def _stand_in(record, preset):
+    """A material that says what it is, but shows what its model's defaults do."""
+    from addon.blender.assets.imported import STAND_IN_KEY
+    from addon.blender.datablocks import materials
+    from addon.models.making import made
+    material = materials.create(made(record.model), asset_name(preset))
+    material[materials.RECORD_KEY], material[STAND_IN_KEY] = record.to_json(), True
+    return material
 
 
 def _description(preset, record):
@@ -130,14 +149,16 @@ def _as_asset(datablock, preview, kind, description, tags):
     about.catalog_id = catalogue_id(kind)
     for tag in dict.fromkeys(tags):
         about.tags.new(tag, skip_if_exists=True)
-    if (THUMBNAILS / f"{preview}.png").exists():
-        _set_preview(datablock, THUMBNAILS / f"{preview}.png")
+    if thumbnail(preview).exists():
+        _set_preview(datablock, thumbnail(preview))
 
 
 def _set_preview(datablock, path):
     import bpy
     import numpy as np
     image = bpy.data.images.load(str(path))
+    if image.size[0] > PREVIEW:
+        image.scale(PREVIEW, PREVIEW)
     pixels = np.empty(image.size[0] * image.size[1] * 4, np.float32)
     image.pixels.foreach_get(pixels)
     preview = datablock.preview_ensure()

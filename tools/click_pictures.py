@@ -9,7 +9,7 @@ from pathlib import Path
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parent.parent
-PARTS = {"click_1.png": (900, 24, 1600, 560), "click_2.png": (560, 24, 1600, 560), "click_3.png": (400, 24, 1600, 560)}
+PARTS = {"click_1.png": (300, 0, 1600, 340), "click_2.png": (300, 0, 1600, 340), "click_3.png": (400, 24, 1600, 560)}
 """Name -> left, top, right and bottom in pixels of a window of 1600 by 900."""
 
 

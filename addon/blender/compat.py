@@ -5,8 +5,8 @@ import functools
 import bpy
 from mathutils import Color
 
-__all__ = ["conductor_formula", "converts_colours", "renderer", "working_space", "enable_nodes", "eevee_engine",
-           "is_unused_newcomer", "set_refraction"]
+__all__ = ["conductor_formula", "converts_colours", "drags_from_shelves", "enable", "enable_nodes", "eevee_engine",
+           "is_enabled", "is_unused_newcomer", "renderer", "set_refraction", "working_space"]
 
 
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -79,3 +79,21 @@ def is_unused_newcomer(socket):
     thickness = "Thin Film Thickness"
     return (socket.identifier == "Thin Film IOR"
             or socket.identifier == thickness and socket.default_value == 0.0)
+
+
+def is_enabled(library):
+    """Whether an asset library of the preferences is shown; before 5.1 each is."""
+    return getattr(library, "enabled", True)
+
+
+def enable(library, shown):
+    """Show an asset library of the preferences or not; False where this Blender can only take it out."""
+    if not hasattr(library, "enabled"):
+        return False
+    library.enabled = shown
+    return True
+
+
+def drags_from_shelves():
+    """Whether an asset shelf runs an operator of ours for what is dragged from it, which came with 5.0."""
+    return "bl_drag_operator" in bpy.types.AssetShelf.bl_rna.properties

@@ -6,7 +6,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..models.realisations import REALISATIONS
 
-__all__ = ["shown_name", "what_is_missing", "why_no_script_runs"]
+__all__ = ["IN_EVERY_ENGINE", "shown_name", "what_is_missing", "why_no_script_runs"]
 
 IN_EVERY_ENGINE = tuple(name for name, found in REALISATIONS.items() if found.native and not found.osl)
 
@@ -22,7 +22,7 @@ def what_is_missing(scene, realisation):
     if engine == "BLENDER_WORKBENCH":
         return rpt_("Workbench shows the viewport colour only: choose Cycles in the Render properties")
     if engine != "CYCLES":
-        return "" if realisation in IN_EVERY_ENGINE else rpt_("This engine renders Fast in its place: "
+        return "" if realisation in IN_EVERY_ENGINE else rpt_("This engine renders Standard in its place: "
                                                      "for this realisation choose Cycles in the Render properties")
     return why_no_script_runs(scene, realisation)
 

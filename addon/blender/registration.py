@@ -3,15 +3,17 @@
 import bpy
 
 from . import settings, translations
-from .assets import imported, library, thumbnails
+from .assets import imported, library, names, search_items, thumbnails
 from .datablocks import groups, menu
 from .exporters import usd
 from .operators import (
     add_group,
+    apply,
     apply_to_node,
     asset_library,
     bake,
     check,
+    choose,
     export,
     finish,
     fit_brdf,
@@ -25,19 +27,29 @@ from .operators import (
     user_presets,
     verify,
 )
-from .panels import asset_library as asset_library_panel
+from .panels import (
+    card,
+    load_ahead,
+    material,
+    measurement,
+    menus,
+    node_menu,
+    node_sidebar,
+    preferences,
+    shelves,
+    versions,
+)
 from .panels import finish as finish_panel
-from .panels import load_ahead, material, measurement, node_menu, node_sidebar, picker, preferences, versions
 
 __all__ = ["register", "unregister"]
 
-CLASSES = (*settings.CLASSES, *bake.CLASSES, *realisation.CLASSES, *measurements.CLASSES, *fit_brdf.CLASSES,
-           *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES, *make_local.CLASSES, *match_space.CLASSES,
-           *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES, *asset_library.CLASSES, *finish.CLASSES,
-           *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES, *material.CLASSES, *finish_panel.CLASSES,
-           *versions.CLASSES, *measurement.CLASSES, *material.LAST_CLASSES, *asset_library_panel.CLASSES,
+CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES, *bake.CLASSES, *realisation.CLASSES,
+           *measurements.CLASSES, *fit_brdf.CLASSES, *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES,
+           *make_local.CLASSES, *match_space.CLASSES, *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES,
+           *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES,
+           *material.CLASSES, *finish_panel.CLASSES, *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES,
            *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
-ATTACHED = (translations, settings, material, node_menu, imported, usd)
+ATTACHED = (translations, settings, card, menus, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []
 
@@ -56,7 +68,7 @@ def unregister():
     bpy.utils.unregister_cli_command(_commands.pop())
     for module in reversed(ATTACHED):
         module.detach()
-    for module in (load_ahead, picker, groups, menu):
+    for module in (load_ahead, choose, search_items, names, groups, menu):
         module.forget()
     thumbnails.clear()
     library.detach()

@@ -1,16 +1,28 @@
-"""What the panels remember between clicks: the preset, realisation and light to apply next."""
+"""What the panels remember between clicks: the preset, realisation and light to apply next; and the preferences."""
 
 import functools
+from types import SimpleNamespace
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 
+from ..finishes import all_finishes
 from ..models.realisations import REALISATIONS
 from .panels import picker
 
-__all__ = ["CLASSES", "Viewing", "attach", "copy_viewing", "detach", "preset_property", "realisation_property",
-           "search_presets", "viewing_of"]
+__all__ = ["CLASSES", "FINISH_ITEMS", "OWN_FINISH", "PACKAGE", "Viewing", "attach", "copy_viewing", "detach",
+           "finish_property", "preferences", "preset_property", "realisation_property", "search_presets", "viewing_of"]
 
-USUAL_ITEM = ("usual", "Usual", "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow")
+PACKAGE = __package__.rsplit(".", 2)[0]
+"""Under this name Blender keeps the extension's preferences."""
+OWN_FINISH = "NONE"
+"""In place of a finish: the preset's own surface."""
+FINISH_ITEMS = ((OWN_FINISH, "Preset's Own", "As smooth or rough as the preset says"),
+                *((finish.name, finish.title, finish.note) for finish in all_finishes()))
+DEFAULTS = SimpleNamespace(realisation="usual", finish=OWN_FINISH, in_headers=True, in_menus=True, in_sidebar=False)
+"""Of the preferences, which scripts that import this package alone have not."""
+
+USUAL_ITEM = ("usual", "Usual", "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow")
 REALISATION_ITEMS = [(name, found.title, found.tip) for name, found in REALISATIONS.items()]
 OBSERVER_ITEMS = (
     ("1931", "CIE 1931, 2°", "Small fields of view; what displays are calibrated for"),
@@ -30,6 +42,7 @@ GAMUT_ITEMS = (
     ("leave", "Leave", "Keep colours outside of the gamut"),
 )
 SAME_AS_FILE = "FILE"
+FIRST_ILLUMINANTS = ("D65", "D50", "D55", "D75", "A", "E", "F2", "F4", "F11", "LED-B1", "LED-B4", "HP1")
 IN_AIR = ("", "air", "1", "1.0")
 
 
@@ -44,11 +57,23 @@ def _drop_title(properties, _context):
         properties.preset = picker.name_in(properties.preset)
 
 
-def preset_property():
+def preferences():
+    """The extension's preferences."""
+    found = bpy.context.preferences.addons.get(PACKAGE)
+    return getattr(found, "preferences", None) or DEFAULTS
+
+
+def preset_property(default="copper", options=frozenset()):
     """A text property `preset` that offers presets and datasets while one types."""
     return bpy.props.StringProperty(
-        name="Preset", default="copper", search=search_presets, search_options={"SUGGESTION"}, update=_drop_title,
+        name="Preset", default=default, search=search_presets, search_options={"SUGGESTION"}, update=_drop_title,
+        options=set(options),
         description="Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search")
+
+
+def finish_property():
+    """The choice of what was done to a surface."""
+    return bpy.props.EnumProperty(name="Finish", items=FINISH_ITEMS, description="What was done to the surface")
 
 
 def realisation_property(*, usual=True):
@@ -58,18 +83,21 @@ def realisation_property(*, usual=True):
         description="How the formula becomes a Cycles material")
 
 
-@functools.lru_cache(maxsize=1)
-def _illuminants():
+@functools.lru_cache(maxsize=2)
+def _illuminants(_language):
+    """Items of an enumeration: the twelve that people use first, and below them all others."""
     from ..spectra.illuminants import names, title
-    by_use = sorted(names(), key=lambda name: name != "D65")
-    return [(name, name, title(name), number) for number, name in enumerate(by_use)]
+    others = [name for name in names() if name not in FIRST_ILLUMINANTS]
+    items = [(name, f"{name}: {iface_(title(name))}", "", number)
+             for number, name in enumerate((*FIRST_ILLUMINANTS, *others))]
+    return [*items[:len(FIRST_ILLUMINANTS)], ("", "", ""), *items[len(FIRST_ILLUMINANTS):]]
 
 
 class Viewing:
     """Properties of those who bake: in which light, for which eye, into which numbers."""
 
     illuminant: bpy.props.EnumProperty(
-        name="Illuminant", items=lambda _self, _context: _illuminants(),
+        name="Illuminant", items=lambda _self, _context: _illuminants(bpy.app.translations.locale),
         description="Light in which the material has its colour; D65 is daylight, and white in Blender")
     observer: bpy.props.EnumProperty(
         name="Observer", items=OBSERVER_ITEMS, description="CIE standard observer")
@@ -103,27 +131,10 @@ def copy_viewing(source, target):
         setattr(target, name, getattr(source, name))
 
 
-def _thumbnails(settings, _context=None):
-    return picker.thumbnail_items(settings.kind, settings.preset)
-
-
-def _chosen_thumbnail(settings):
-    return next(item[4] for item in _thumbnails(settings) if item[0] == settings.preset)
-
-
-def _choose_thumbnail(settings, number):
-    settings.preset = _thumbnails(settings)[number][0]
-
-
 class FacetFilmSettings(Viewing, bpy.types.PropertyGroup):
     """Choices of the Facet & Film panels."""
 
     preset: preset_property()
-    thumbnail: bpy.props.EnumProperty(
-        name="Presets", items=_thumbnails, get=_chosen_thumbnail, set=_choose_thumbnail,
-        description="Preset by its picture; the filter beside the name chooses the kind")
-    kind: bpy.props.EnumProperty(name="Kind", items=picker.KIND_ITEMS, description="Which presets to show pictures of")
-    realisation: realisation_property()
 
 
 CLASSES = (FacetFilmSettings,)

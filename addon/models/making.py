@@ -9,6 +9,7 @@ from . import DEFAULT, named, names
 from .finishing import under_finish
 from .model import Renderer
 from .parameters import Colour
+from .realisations import realisation_named
 from .record import Record, Source
 
 USUAL = "usual"
@@ -25,7 +26,8 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
 
     model        name of a model; by default the preset's
     preset       what :func:`addon.catalogue.resolving.resolve` understands; None for the parameters alone
-    realisation  one that the model has; by default the preset's own, as "dispersive" of diamond, else "fast"
+    realisation  one that the model has, by either of its names ("fast" or "standard", "exact" or "reference", …); by
+                 default the preset's own, as "dispersive" of diamond, else "fast"
     renderer     whose formula and working space the numbers are for
     viewing      options of :func:`addon.bake.bake`: illuminant, observer, space, adapt, gamut, medium
     finish       name of a finish, over the preset's own surface; "" for that
@@ -43,7 +45,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     resolved = _what_it_is_made_of(chosen, resolved, parameters)
     if realisation == USUAL:
         realisation = _usual(chosen, resolved)
-    choice("realisation", realisation, chosen.realisations)
+    realisation = choice("realisation", realisation_named(realisation), chosen.realisations)
     finish, parameters = under_finish(finish, chosen, parameters)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
@@ -67,7 +69,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER
     'layered_rgb_exact'
     """
     model = named(record.model)
-    choice("realisation", realisation, model.realisations)
+    realisation = choice("realisation", realisation_named(realisation), model.realisations)
     if record.measured and model.as_baked(record.parameters, record.baked):
         return rebaked(record.changed(realisation=realisation), renderer, record.viewing, only=("n", "k"))
     _, variant = model.realisation_of(record.group)

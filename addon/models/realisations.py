@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-__all__ = ["REALISATIONS", "Realisation"]
+__all__ = ["NAMES", "REALISATIONS", "Realisation", "realisation_named"]
 
 
 class Realisation(NamedTuple):
@@ -23,15 +23,26 @@ class Realisation(NamedTuple):
 
 
 REALISATIONS = {
-    "fast": Realisation("Fast", "Native closures: light-sampled, on every device, and in EEVEE", native=True),
-    "exact": Realisation("Exact", "The published formula itself, sampled with nodes alone, on every device; "
-                                  "EEVEE shows Fast"),
+    "fast": Realisation("Standard", "Clean and fast, on every device and in EEVEE: the one to take first", native=True),
+    "exact": Realisation("Reference", "The published formula itself, on every device: slower and noisier, to compare "
+                                      "with; EEVEE shows Standard"),
     "dispersive": Realisation("Dispersive", "Every wavelength refracted by its own index, for rainbows in gems and "
                                             "prisms; noisier, and EEVEE shows it without them", native=True),
-    "osl": Realisation("OSL", "The published formula itself as an OSL script: needs Open Shading Language switched on "
-                              "in Render properties, on the CPU or OptiX; EEVEE shows Fast", osl=True,
+    "osl": Realisation("OSL", "The published formula as an OSL script: needs Open Shading Language switched on in the "
+                              "Render properties, on the CPU or OptiX; EEVEE shows Standard", osl=True,
                        without_osl="exact"),
-    "osl_fast": Realisation("OSL Fast", "Native closures from an OSL script: needs Open Shading Language switched on",
+    "osl_fast": Realisation("OSL Standard", "Standard as an OSL script: needs Open Shading Language switched on",
                             native=True, osl=True, without_osl="fast"),
 }
 """Every realisation that a model may have, by its name."""
+NAMES = {"standard": "fast", "reference": "exact", "osl_standard": "osl_fast"}
+"""The names that people know them by, beside those that scripts and files have used from the start."""
+
+
+def realisation_named(name):
+    """The name in REALISATIONS of a realisation by either of its names; others as they are.
+
+    >>> realisation_named("reference"), realisation_named("fast")
+    ('exact', 'fast')
+    """
+    return NAMES.get(name, name) if isinstance(name, str) else name

@@ -9,6 +9,7 @@ from typing import Any
 from ..finishes.feeding import held as finish_held
 from . import named
 from .parameters import Checked
+from .realisations import realisation_named
 
 __all__ = ["FORMAT", "Record", "Source", "baked_in", "finish_in", "is_measured", "from_dict", "from_json", "space_in"]
 
@@ -147,7 +148,7 @@ def from_dict(held: Mapping[str, Any]) -> Record:
     True
     """
     parameters = {name: _tuples(value) for name, value in held["parameters"].items()}
-    return Record(held["model"], held["realisation"], held["group"], held["version"],
+    return Record(held["model"], realisation_named(held["realisation"]), held["group"], held["version"],
                   named(held["model"]).parameters(**parameters), _source(held["source"]), held["viewing"],
                   held["baked"], held.get("finish", ""),
                   {name: _tuples(value) for name, value in held.get("controls", {}).items()})

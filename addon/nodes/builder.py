@@ -185,6 +185,13 @@ class GroupBuilder:
         """A closure times a factor that is held to [0, 1]."""
         return self.node("ShaderNodeMixShader", {"Fac": factor, "Shader_001": shader})
 
+    def scale_shader_twofold(self, factor, shader):
+        """A closure times a factor that is held to [0, 2].
+
+        Cycles adds the weights of a closure that is linked twice, and evaluates it once.
+        """
+        return self.add_shaders(self.scale_shader(factor, shader), self.scale_shader(factor - 1.0, shader))
+
     @contextlib.contextmanager
     def frame(self, label):
         """Nodes made inside stand in a frame with this label."""

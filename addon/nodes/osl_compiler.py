@@ -47,10 +47,10 @@ def why_no_osl():
     """Why this Blender cannot compile OSL, or an empty text."""
     import _cycles
     if not _cycles.with_osl:
-        return "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material"
+        return "This Blender is built without OSL: take Reference or Standard, which render the same material"
     _find_oslquery()
     if importlib.util.find_spec("oslquery") is None:
-        return "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast"
+        return "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard"
     return ""
 
 

@@ -21,7 +21,8 @@ def record(made):
 
     made  an addon.models.record.Record
     """
-    rows = [(name, _words(value)) for name, value in made.parameters.to_dict().items()]
+    rows = [("finish", made.finish)] if made.finish else []
+    rows += [(name, _words(value)) for name, value in made.parameters.to_dict().items()]
     return "\n".join([f"{made.title} ({made.model})", columns(rows, "  "),
                       *(f"  {note}" for note in filter(None, [made.baked.get("note")]))])
 

@@ -42,7 +42,7 @@ def use(round_number):
     bpy.ops.facet_film.check(against="copper", kind="material", material="gold")
     bpy.ops.facet_film.add_asset_library()
     settings = bpy.context.window_manager.facet_film
-    settings.illuminant, settings.thumbnail = "A", "gold"
+    settings.illuminant, settings.preset = "A", "gold"
     modules("settings").search_presets(None, None, "gold")
     assert sum(drawn(panel, properties_editor()) is not None for panel in panels()) >= 6
     bpy.ops.facet_film.rebake()

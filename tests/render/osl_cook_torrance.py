@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from addon.models.cook_torrance import gaussian_lobes, sampler
+from addon.models.cook_torrance.v_cavity_lobe import v_cavity_lobe
 from addon.operands import arccos, rotate
 from addon.reflectance import fresnel, masking, sampling, slopes
 from addon.reflectance.directions import PI, facing, frame_along
@@ -21,8 +22,8 @@ NOT_COMPARED = {
     "exact(vector, vector, float[4], float[4], float, vector, vector, vector, float, float, float, float, point)":
         "a closure",
     "beckmann_lobe(vector, float, float, vector, vector, vector)": "a closure",
-    "gaussian_lobes(vector, float, float, vector, vector, vector)": "a closure",
-    "closures(vector, float[4], float[4], float, vector, vector, vector, float, float, float)": "a closure",
+    "gaussian_lobes(vector, float, float, float, vector, vector, vector)": "a closure",
+    "closures(vector, vector, float[4], float[4], float, vector, vector, vector, float, float, float)": "a closure",
 }
 
 COSINES = (0.02, 0.1, 0.25, 0.5, 0.8, 0.95, 0.999, 1.0)
@@ -203,6 +204,8 @@ FORMULAS = {
     "gaussian_c(float, float)": (slopes.elliptic_gaussian_c, grid(SLOPES, (0.05, 0.1, 0.5))),
     "tinted(float, float, float, output float, output float)": (
         fresnel.tinted, grid((0.2, 0.9, 1.5, 3.0), (0.0, 1.0, 2.0, 4.0), (0.0, 0.3, 0.9, 1.0))),
+    "v_cavity_lobe(float, float, output float, output float)": (
+        v_cavity_lobe, grid((0.0, 0.3, 0.7, 0.9, 1.0), SLOPES)),
     "unit_tangent(vector, vector, float)": (unit_tangent, towards_and_turns()),
     "scale_of(float, float, int, float, float)": (
         scale_of, grid(SLOPES, (0.2, 0.5), UNIT, (0.0, 0.5, 1.0), (1.0, 3.0))),

@@ -157,6 +157,42 @@ def test_light_of_zero_size(light, realisation):
     assert test.passed, (test, probes.save_failure(f"{realisation}_{light}_zero", reference, pictures.mean(axis=0)))
 
 
+# --- Anisotropic slopes, around the ball's axis ---
+
+BRUSHED = [(0.2, 0.8, "beckmann"), (0.4, 0.5, "beckmann"), (0.2, 0.8, "gaussian")]
+
+
+def brushed_sphere(realisation, m, anisotropy, distribution, diameter, **parameters):
+    """Pictures of the sphere under a sun, the formula's, and the mask."""
+    shared = {"slopes": ((m, 1.0),), "anisotropy": anisotropy, "distribution": distribution}
+    pictures, towards = sphere(realisation, 768, sun(45, diameter), **shared, **parameters)
+    return pictures, *scenes.sun_reference(RESOLUTION, towards, np.radians(diameter), **shared)
+
+
+@pytest.mark.parametrize("realisation", ["exact", "osl"])
+@pytest.mark.parametrize("m, anisotropy, distribution", BRUSHED)
+def test_anisotropic_sphere_under_a_sun(m, anisotropy, distribution, realisation):
+    pictures, reference, mask = brushed_sphere(realisation, m, anisotropy, distribution, 30, sampling_width=0.0)
+    test = agrees(pictures, reference, mask)
+    assert test.passed, (test, probes.save_failure(f"{realisation}_brushed_{m}", reference, pictures.mean(axis=0)))
+
+
+@pytest.mark.parametrize("realisation", ["exact", "osl"])
+@pytest.mark.parametrize("diameter", [0, 5])
+@pytest.mark.parametrize("m, anisotropy, distribution", BRUSHED)
+def test_anisotropic_sphere_at_the_default_width(m, anisotropy, distribution, diameter, realisation):
+    pictures, reference, mask = brushed_sphere(realisation, m, anisotropy, distribution, diameter)
+    test = agrees(pictures, reference, mask, 0.03)
+    assert test.passed, (test, probes.save_failure(f"{realisation}_brushed_{m}_{diameter}", reference,
+                                                   pictures.mean(axis=0)))
+
+
+def test_another_anisotropy_fails():
+    pictures, towards = sphere("exact", 768, sun(45, 5), slopes=((0.2, 1.0),), anisotropy=0.8)
+    reference, mask = scenes.sun_reference(RESOLUTION, towards, np.radians(5), slopes=((0.2, 1.0),), anisotropy=0.4)
+    assert not agrees(pictures, reference, mask, 0.03).passed
+
+
 def test_width_zero_does_not_see_light_of_zero_size():
     pictures, _ = sphere("exact", 16, lambda scene: probes.add_sun(scene, 0.5), seeds=1, sampling_width=0.0)
     assert pictures.max() == 0.0

@@ -11,11 +11,12 @@ import pytest
 
 from addon import api
 from addon.blender.datablocks import materials
+from addon.blender.datablocks.groups import socket_named
 from addon.models.layered_rgb import formulas as layered
 from addon.models.layered_rgb import sampler as layered_sampler
 from addon.reflectance.directions import half_vector, mirrored
 from addon.reflectance.masking import v_cavity_one_side
-from addon.reflectance.slopes import beckmann, gaussian
+from addon.reflectance.slopes import along_across, beckmann, elliptic_beckmann, elliptic_gaussian, gaussian
 from tests.chi_square import bin_centres, direction_p_value
 from tests.render import probes
 from tests.render.cook_torrance_scenes import COPPER, FIGURE_6B
@@ -94,6 +95,42 @@ def test_facets_are_drawn_by_their_density(angle, slopes, distribution):
     directions, count = drawn(exact_copper(slopes, distribution), angle)
     chance = direction_p_value(directions, visible_facets(angle, slopes, distribution), count)
     assert chance > LEAST_CHANCE
+
+
+def brushed_copper(m, anisotropy, distribution):
+    """Exact copper whose slopes are longer along the tile's Y axis."""
+    def make():
+        made = api.create_material(realisation="exact", slopes=((m, 1.0),), anisotropy=anisotropy,
+                                   distribution=distribution, sampling_width=0.0, **COPPER)
+        axis = made.node_tree.nodes.new("ShaderNodeCombineXYZ")
+        axis.inputs["Y"].default_value = 1.0
+        made.node_tree.links.new(axis.outputs[0], socket_named(materials.our_node(made), "Tangent"))
+        return made
+    return make
+
+
+def brushed_facets(angle, m, anisotropy, distribution="beckmann"):
+    """The same density of elliptic slopes, along the Y axis."""
+    v = view(angle)
+    h = half_vector(v, bin_centres())
+    n_h, v_h = h[..., 2], h @ v
+    along, across = along_across(m, anisotropy)
+    if distribution == "beckmann":
+        d = elliptic_beckmann(h[..., 1], h[..., 0], n_h, along, across)
+    else:  # even in the plane of angles, as of drawn_gaussian
+        alpha = np.arccos(np.clip(n_h, 0.0, 1.0 - 1e-12))
+        d = elliptic_gaussian(h[..., 1], h[..., 0], n_h, along, across, 1.0 / (along * across))
+        d = d * alpha / (np.sin(alpha) * n_h)
+    return d * v_cavity_one_side(n_h, v[2], v_h) / (4.0 * np.pi * v[2])
+
+
+@pytest.mark.parametrize("angle, m, anisotropy, distribution", [
+    (0.0, 0.2, 0.8, "beckmann"), (0.8, 0.2, 0.8, "beckmann"), (1.2, 0.3, 0.5, "beckmann"), (0.8, 0.2, 0.8, "gaussian")])
+def test_brushed_facets_are_drawn_by_their_density(angle, m, anisotropy, distribution):
+    directions, count = drawn(brushed_copper(m, anisotropy, distribution), angle)
+    chance = direction_p_value(directions, brushed_facets(angle, m, anisotropy, distribution), count)
+    assert chance > LEAST_CHANCE
+    assert direction_p_value(directions, brushed_facets(angle, m, 0.9 * anisotropy, distribution), count) < 1e-6
 
 
 @pytest.fixture(scope="module")

@@ -13,6 +13,7 @@ import pytest
 
 import addon
 from addon import api, models
+from addon.blender.assets import names, search_items
 from addon.blender.datablocks import groups, materials, menu
 from addon.blender.panels import picker
 from addon.blender.panels.material import FACET_FILM_PT_parameters
@@ -30,7 +31,7 @@ FILES = dict(re.findall(r"`lambert/(\S+)`:\n\n```\w+\n(.*?)```", DOCUMENT, re.DO
 
 def forget():
     """What looks at the folders once looks anew."""
-    for module in (models, entries, presets, search, groups, menu, picker):
+    for module in (models, entries, presets, search, groups, menu, names, search_items):
         module.forget()
 
 
@@ -93,7 +94,7 @@ def test_it_is_listed_and_found(lambert, capsys):
 
 def test_the_panel_offers_it_and_shows_its_parameters(lambert):
     assert picker.search("blackboard chalk") == [("tinted_chalk", "Tinted chalk")]
-    assert "tinted_chalk" in [item[0] for item in picker.thumbnail_items("oxide", "tinted_chalk")]
+    assert ("tinted_chalk", "Tinted chalk · blackboard chalk") in [item[:2] for item in search_items.items()]
     target = bpy.data.objects.new("Target", bpy.data.meshes.new("Target"))
     bpy.context.scene.collection.objects.link(target)
     bpy.context.view_layer.objects.active = target

@@ -11,7 +11,7 @@ from addon.blender import compat
 from addon.blender.datablocks import materials
 from addon.blender.operators import rebake_all as rebake_all_operator
 from addon.blender.panels.material import FACET_FILM_PT_material, FACET_FILM_PT_parameters
-from addon.blender.panels.measurement import FACET_FILM_PT_baked
+from addon.blender.panels.measurement import FACET_FILM_PT_measurement
 from tests.drawn import drawn, properties_editor
 
 
@@ -45,7 +45,8 @@ def refusal(operator, **options):
 
 # --- Nothing to work on ---
 
-def test_no_object():
+def test_no_object(ball):
+    ball.select_set(False)
     bpy.context.view_layer.objects.active = None
     assert "Select an object first" in refusal(bpy.ops.facet_film.bake_preset)
     assert "Select an object first" in refusal(bpy.ops.facet_film.paste_constants)
@@ -53,6 +54,7 @@ def test_no_object():
 
 
 def test_an_object_that_takes_no_material(ball):
+    ball.select_set(False)
     empty = bpy.data.objects.new("Empty", None)
     bpy.context.scene.collection.objects.link(empty)
     bpy.context.view_layer.objects.active = empty
@@ -74,9 +76,9 @@ def test_no_material_to_save():
 
 def test_without_a_material_the_panel_shows_how_to_get_one(ball):
     said, layout = said_by_panel()
-    assert "Apply" in said and layout.operators == ["facet_film.bake_preset"]
+    assert "Choose a material by its picture, above" in said and not layout.operators
     assert drawn(FACET_FILM_PT_parameters, properties_editor()) is None
-    assert drawn(FACET_FILM_PT_baked, properties_editor()) is None
+    assert "facet_film.bake_preset" in drawn(FACET_FILM_PT_measurement, properties_editor()).operators
     assert bpy.ops.facet_film.bake_preset() == {"FINISHED"}
     assert drawn(FACET_FILM_PT_parameters, properties_editor()) is not None
 
@@ -135,12 +137,12 @@ def eevee(scene):
 
 
 @pytest.mark.parametrize("realisation, arrange, sentence", [
-    ("osl", osl_off, "Exact is shown in its place until you switch it on in the Render properties"),
-    ("osl_fast", osl_off, "Fast is shown in its place until you switch it on in the Render properties"),
-    ("osl", osl_on_gpu, "OSL needs the CPU or OptiX: Exact is shown in its place on this device"),
+    ("osl", osl_off, "Reference is shown in its place until you switch it on in the Render properties"),
+    ("osl_fast", osl_off, "Standard is shown in its place until you switch it on in the Render properties"),
+    ("osl", osl_on_gpu, "OSL needs the CPU or OptiX: Reference is shown in its place on this device"),
     ("fast", workbench, "choose Cycles in the Render properties"),
     ("exact", workbench, "choose Cycles in the Render properties"),
-    ("exact", eevee, "This engine renders Fast in its place: for this realisation choose Cycles")])
+    ("exact", eevee, "This engine renders Standard in its place: for this realisation choose Cycles")])
 def test_the_panel_says_what_the_scene_lacks(ball, realisation, arrange, sentence):
     ball.active_material = api.create_material(preset="copper", realisation=realisation)
     scene = bpy.context.scene
@@ -156,7 +158,7 @@ def test_the_panel_says_what_the_scene_lacks(ball, realisation, arrange, sentenc
 def test_the_panel_says_nothing_where_nothing_is_lacking(ball, realisation, arrange):
     ball.active_material = api.create_material(preset="copper", realisation=realisation)
     arrange(bpy.context.scene)
-    assert said_by_panel()[0].split() == ["Apply", "Renders", "by", realisation.capitalize()]
+    assert said_by_panel()[0] == "Renders by Standard Reference OSL OSL Standard"
 
 
 # --- What takes longer: Re-bake All, step by step ---

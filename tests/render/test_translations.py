@@ -14,7 +14,6 @@ from addon.blender import registration
 from addon.blender.datablocks import groups, menu
 from addon.blender.operators import bake
 from addon.blender.translations import LANGUAGES
-from addon.catalogue.kinds import KINDS
 from addon.errors import FacetFilmError
 from addon.export.standin import LOST
 from addon.models import all_models
@@ -114,7 +113,7 @@ def texts_of_models():
     """What menus and lists show of models, presets' kinds, and forms."""
     of_groups = {text for part in menu.parts() for _, name, summary in part for text in (name, summary)}
     of_forms = {text for model in all_models() for form in model.forms.values() for text in (form.title, form.tip)}
-    return of_groups | of_forms | set(LOST.values()) | set(KINDS.values())
+    return of_groups | of_forms | set(LOST.values())
 
 
 @pytest.fixture(scope="module")

@@ -31,6 +31,7 @@ BROKEN = {
     ("cook_torrance", "furnace, Gaussian"): {"gaussian_c": 2.05},
     ("cook_torrance", "sphere under a soft sun"): {"slopes": ((0.5, 0.4), (0.2, 0.6))},
     ("cook_torrance", "sphere under an area lamp"): {"slopes": ((0.5, 0.4), (0.2, 0.6))},
+    ("cook_torrance", "anisotropic"): {"anisotropy": 0.3},
     ("cook_torrance", "default width"): {"slopes": ((0.4, 0.36), (0.2, 0.54))},
     ("layered_rgb", "furnace, parallel boundaries over"): {"diffuse": 0.68},
     ("layered_rgb", "furnace, parallel"): {"thickness": 75.0},

@@ -122,3 +122,15 @@ def test_as_a_process_without_bpy():
     command = [sys.executable, "-m", "addon", "bake", "coper"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 2 and "did you mean 'copper'" in done.stderr
+
+
+def test_a_finish_goes_on_what_is_baked(capsys):
+    assert main(["bake", "copper", "--finish", "brushed", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["finish"], found["anisotropy"]) == ("brushed", 0.764)
+    assert main(["bake", "copper", "--finish", "satin"]) == 0
+    assert ["finish", "satin"] in [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert main(["bake", "copper", "--finish", "bruhsed"]) == 2
+    assert "did you mean 'brushed'" in capsys.readouterr().err
+    assert main(["list", "finishes"]) == 0
+    assert "hammered" in capsys.readouterr().out

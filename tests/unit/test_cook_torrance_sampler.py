@@ -12,6 +12,7 @@ from addon.models.cook_torrance.albedo import cook_torrance_albedo, facet_normal
 from addon.reflectance import masking, sampling, slopes
 from addon.reflectance.directions import direction, facing, half_vector, mirrored
 from addon.reflectance.fresnel import conductor, f82, f82_factor
+from tests.chi_square import bin_centres, direction_p_value
 
 UP = direction(0.0, 0.0)
 COPPER = np.array([0.2, 0.92, 1.1]), np.array([3.91, 2.45, 2.14])
@@ -67,6 +68,52 @@ def part_sums(l, values):
     part = np.minimum((l[:, 2] * 4).astype(int), 3) * 6 + sixth
     above = l[:, 2] > 0.0
     return np.stack([np.bincount(part[above], v[above], minlength=24) for v in values.T], axis=-1)
+
+
+@pytest.mark.parametrize("gaussian", [0.0, 1.0])
+@pytest.mark.parametrize("theta, phi, m, anisotropy", [
+    (0.9, 0.0, 0.3, 0.6), (0.9, 0.6, 0.2, 0.95), (1.3, 1.5, 0.4, 0.8)])
+def test_stretched_slopes_send_light_where_the_formula_does(theta, phi, m, anisotropy, gaussian):
+    """Along x, seen from the azimuth phi."""
+    v, tangent = direction(theta, phi), direction(0.5 * np.pi, 0.0)
+    ellipse = sampler.stretched(UP, tangent, m, anisotropy)
+    x = sampler.facet(UP, v, m, 0.0, 0.0, 0.0, gaussian, *even_numbers(1 << 17), ellipse)
+    weight = sampler.facet_weight(x, 1.0, 0.0, *COPPER, 0.0, 0.0)
+    l = mirrored(v, x.h)
+    assert_allclose(l[:, 2], x.n_l, atol=1e-3)
+    found = part_sums(l, weight / len(l))
+    z = (np.arange(600) + 0.5) / 600
+    grid = direction(np.arccos(z)[:, None], (np.arange(1200) + 0.5) / 1200 * 2 * np.pi).reshape(-1, 3)
+    f = ct.cook_torrance(UP, v, grid, slopes=[(m, 1.0)], index=COPPER[0], extinction=COPPER[1], tangent=tangent,
+                         anisotropy=anisotropy, distribution="gaussian" if gaussian else "beckmann")
+    expected = part_sums(grid, f * grid[:, 2:] * (2 * np.pi / len(grid)))
+    assert_allclose(found, expected, atol=3e-3 * expected.sum(axis=0).max())
+
+
+def test_stretched_facets_are_drawn_by_their_density():
+    """χ² of half a million mirrored directions, with mirrors' weights left out."""
+    v, m, anisotropy = direction(0.8, 0.6), 0.25, 0.8
+    ellipse = sampler.stretched(UP, direction(0.5 * np.pi, 0.0), m, anisotropy)
+    x = sampler.facet(UP, v, m, 0.0, 0.0, 0.0, 0.0, *np.random.default_rng(5).uniform(size=(3, 1 << 19)), ellipse)
+
+    def density(a):
+        h = half_vector(v, bin_centres())
+        d = slopes.elliptic_beckmann(h[..., 0], h[..., 1], h[..., 2], *slopes.along_across(m, a))
+        return d * masking.v_cavity_one_side(h[..., 2], v[2], h @ v) / (4.0 * np.pi * v[2])
+    assert direction_p_value(mirrored(v, x.h), density(anisotropy)) > 1e-3
+    assert direction_p_value(mirrored(v, x.h), density(0.98 * anisotropy)) < 1e-6
+
+
+def test_a_round_lobe_stretched_by_one_stays():
+    ellipse = sampler.stretched(UP, direction(0.5 * np.pi, 0.0), 0.3, 0.0)
+    ellipse.is_elliptic = 1.0
+    numbers = even_numbers(1 << 10)
+    v = direction(0.8, 0.6)
+    x = sampler.facet(UP, v, 0.3, 0.03, 0.06, 0.0, 0.0, *numbers, ellipse)
+    assert_allclose(x.narrow, x.a_across, rtol=1e-9)
+    assert_allclose(x.broad, x.a_along, rtol=1e-9)
+    assert_allclose(np.abs(np.sum(x.lobe_tangent * x.across, axis=-1)), 1.0, atol=2e-3)
+    assert_allclose(x.covariance, 0.0, atol=1e-12)
 
 
 def test_weights_never_pass_fresnel():

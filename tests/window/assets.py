@@ -1,5 +1,5 @@
-"""The asset library: added by the button, dragged from an Asset Browser onto the cube, rendered; Re-bake
-All stopped.
+"""The asset library: added by the button, dragged from an Asset Browser onto the cube, its slider moved, rendered;
+Re-bake All stopped.
 """
 
 import sys
@@ -10,7 +10,7 @@ import bpy
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import hands  # noqa: E402
-from hands import area_of, drag, key, middle_of, picture, preset, region_of, step, until, within  # noqa: E402
+from hands import area_of, drag, find, key, middle_of, picture, preset, region_of, step, until, within  # noqa: E402
 
 
 def session():
@@ -43,6 +43,18 @@ def session():
     picture("dropped")
     yield from until(lambda: preset() is not None, "the cube has a material of ours")
 
+    step("move the slider of the dragged material's roughness")
+    area.ui_type = "PROPERTIES"
+    area.spaces.active.context = "MATERIAL"
+    yield 1.5
+    slider = yield from find(area, "default_value", across=(0.5,))
+    before = roughness()
+    yield from drag(slider, (slider[0] + 40, slider[1]))
+    yield from until(lambda: roughness() != before, "the roughness is another")
+    picture("slid")
+    yield from hands.undo(middle_of(view))
+    yield from until(lambda: roughness() == before, "the roughness is as before after undo")
+
     step("render it in the viewport")
     view.spaces.active.shading.type = "RENDERED"
     yield 5.0
@@ -73,6 +85,12 @@ def session():
     yield from until(lambda: all(new != old for new, old in zip(records(), before, strict=True)), "all are changed", 40)
     yield from hands.undo(middle_of(view))
     yield from until(lambda: records() == before, "all are as before after undo")
+
+
+def roughness():
+    """The roughness of the cube's material."""
+    nodes = bpy.data.objects["Cube"].active_material.node_tree.nodes
+    return next(node.inputs["Roughness"].default_value for node in nodes if node.bl_idname == "ShaderNodeGroup")
 
 
 def records():

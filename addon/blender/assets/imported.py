@@ -1,8 +1,9 @@
 """Materials of ours that are appended or dragged in.
 
-Each brings its own copy of its group, which becomes one with the file's.  And where n and k are for another Blender's
-conductor Fresnel (4.5 evaluates another than 5.0 and later; the asset library holds one set of numbers), or for another
-working space than the file's, they are baked again.
+Each brings its own copy of its group, which becomes one with the file's, and the name that its asset is found by, which
+becomes its title.  And three things are baked again: n and k for another Blender's conductor Fresnel (4.5 evaluates
+another than 5.0 and later; the asset library holds one set of numbers), what is for another working space than the
+file's, and a material whose colours are an image of its own, for which the library holds a stand-in.
 """
 
 import bpy
@@ -10,14 +11,16 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
 from .. import compat
-from ..datablocks.fingerprints import ID_KEY
-from ..datablocks.groups import VERSION_KEY, group_of, is_bringing, node_group
+from ..datablocks.groups import is_bringing, merge_groups
 from ..datablocks.locked import is_editable
 from ..datablocks.materials import baked_of, our_node, record_of, write
-from ..datablocks.pictures import image_in
 from ..datablocks.spaces import bring, is_foreign
+from .names import title_of
 
-__all__ = ["attach", "detach"]
+__all__ = ["STAND_IN_KEY", "attach", "detach", "renew"]
+
+STAND_IN_KEY = "facet_film_stand_in"
+"""Marks a material of the library that shows another's image until it is brought in."""
 
 
 @bpy.app.handlers.persistent
@@ -25,36 +28,32 @@ def _after_import(imported, *_):
     if is_bringing():
         return
     arrived = [item.id for item in imported.import_items if item.id is not None]
-    ours = [one for one in arrived if isinstance(one, bpy.types.Material) and is_editable(one)]
-    strangers = [one for one in ours if is_foreign(one)]
-    materials = [one for one in ours if _is_for_another_blender(one) and one not in strangers]
-    trees = {(one.get(ID_KEY), image_in(one)) for one in arrived
-             if isinstance(one, bpy.types.NodeTree) and _is_current(one)}
+    materials = [one for one in arrived if isinstance(one, bpy.types.Material) and _is_ours(one)]
+    trees = [one for one in arrived if isinstance(one, bpy.types.NodeTree)]
     for material in materials:
-        _renew(material)
-    for material in strangers:
+        renew(material)
+    merge_groups(trees)
+
+
+def _is_ours(material):
+    return is_editable(material) and our_node(material) is not None
+
+
+def renew(material):
+    """Name a material as what it is, and bake it again where what it holds is for another Blender, another working
+    space, or another's.
+    """
+    from ...models.making import made, renewed
+    baked = baked_of(material)
+    if material.name != title_of(material.name) and title_of(material.name) == baked.get("title"):
+        material.name = baked["title"]
+    if STAND_IN_KEY in material:
+        del material[STAND_IN_KEY]
+        write(material, made(preset=baked["name"], renderer=compat.renderer()))
+    elif is_foreign(material):
         _bring(material)
-    for identifier, image in trees:
-        if sum(one.get(ID_KEY) == identifier for one in bpy.data.node_groups) > 1:
-            node_group(identifier, image)
-
-
-def _is_for_another_blender(material):
-    if our_node(material) is None:
-        return False
-    fit = baked_of(material).get("conductor")
-    return fit is not None and fit["formula"] != compat.conductor_formula()
-
-
-def _is_current(tree):
-    group = group_of(tree.get(ID_KEY))
-    return group is not None and is_editable(tree) and tree.get(VERSION_KEY) == group.version
-
-
-def _renew(material):
-    """Bake a material again for this Blender, where what was baked is still as it was."""
-    from ...models.making import renewed
-    write(material, renewed(record_of(material), compat.renderer()))
+    elif baked.get("conductor", {}).get("formula", compat.conductor_formula()) != compat.conductor_formula():
+        write(material, renewed(record_of(material), compat.renderer()))
 
 
 def _bring(material):

@@ -1,10 +1,12 @@
-"""The asset library in the preferences: added by a button, and taken off when the extension goes."""
+"""The asset library in the preferences: added by the first click on the picker, and taken off on request."""
 
 from pathlib import Path
 
 import bpy
 
-__all__ = ["FILE", "FOLDER", "NAME", "detach", "ours"]
+from .. import compat
+
+__all__ = ["FILE", "FOLDER", "NAME", "add", "detach", "is_shown", "ours", "remove"]
 
 NAME = "Facet & Film"
 FOLDER = Path(__file__).parents[3] / "node_groups" / "assets"
@@ -19,8 +21,38 @@ def ours():
             if library.path and FOLDER.parent in Path(bpy.path.abspath(library.path)).parents]
 
 
-def detach():
-    """Take the library off the preferences again."""
+def is_shown():
+    """Whether the library is among those that Blender shows."""
+    return any(compat.is_enabled(library) for library in ours())
+
+
+def add():
+    """Have Blender show the library, and bring in what is dragged from it as materials of the file; whether that
+    changed the preferences.
+    """
+    if is_shown():
+        return False
+    libraries = bpy.context.preferences.filepaths.asset_libraries
+    library = next(iter(ours()), None) or libraries.new(name=NAME, directory=str(FOLDER))
+    library.import_method = "APPEND"
+    library.use_relative_path = False
+    compat.enable(library, True)
+    bpy.context.preferences.is_dirty = True
+    return True
+
+
+def remove():
+    """Have Blender show it no more.
+
+    Blender 5.1 and later switch an entry off; taken out and added again in one session, 5.2 would show nothing of it.
+    """
     for library in ours():
-        bpy.context.preferences.filepaths.asset_libraries.remove(library)
+        if not compat.enable(library, False):
+            bpy.context.preferences.filepaths.asset_libraries.remove(library)
         bpy.context.preferences.is_dirty = True
+
+
+def detach():
+    """The extension goes: so does what it shows."""
+    if is_shown():
+        remove()

@@ -1,20 +1,19 @@
 """The small pictures of the presets, as icons of Blender's: shipped ones, or drawn where there is none."""
 
-from pathlib import Path
-
 import bpy.utils.previews
 
 __all__ = ["clear", "colour_icon", "preset_icon", "strip_icon"]
-
-FOLDER = Path(__file__).parents[2] / "thumbnails"
-"""Rendered thumbnails, "<preset>.png"; a preset without one gets a ball drawn by addon.blender.assets.pictures."""
 
 _held = []
 
 
 def preset_icon(name):
-    """Icon number of a preset or dataset; 0, no picture, for an unknown name and where Blender has no window."""
-    file = FOLDER / f"{name}.png"
+    """Icon number of a preset or dataset; 0, no picture, for an unknown name and where Blender has no window.
+
+    A preset without a rendered thumbnail gets a ball drawn by addon.blender.assets.pictures.
+    """
+    from ...catalogue.entries import thumbnail
+    file = thumbnail(name)
     if "/" not in name and file.exists():
         return _icon(f"preset {name}", None, file)
     from .pictures import ball

@@ -8,10 +8,12 @@ import bpy
 from ... import finishes, models
 from ...models.realisations import REALISATIONS
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
+from .locked import is_editable
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
-           "input_names", "is_bringing", "library_file", "mark", "model_of_group", "node_group", "socket_named"]
+           "input_names", "is_bringing", "library_file", "mark", "merge_groups", "model_of_group", "node_group",
+           "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
 """The groups as tools/build_groups.py built them, a file for each: appending one takes milliseconds, building one
@@ -102,6 +104,20 @@ def _merged(trees, group, image):
     if others and group.stand_in:
         node_group(group.stand_in, image)  # the others brought one of that, too
     return first
+
+
+def merge_groups(trees=None):
+    """Make one of equal groups of ours, among these trees or all of the file: what comes in brings its own."""
+    found = bpy.data.node_groups if trees is None else trees
+    ours = {(tree[ID_KEY], image_in(tree)) for tree in found if _is_current(tree)}
+    for identifier, image in ours:
+        if sum(tree.get(ID_KEY) == identifier for tree in bpy.data.node_groups) > 1:
+            node_group(identifier, image)
+
+
+def _is_current(tree):
+    group = group_of(tree.get(ID_KEY))
+    return group is not None and is_editable(tree) and tree.get(VERSION_KEY) == group.version
 
 
 def edited(tree):

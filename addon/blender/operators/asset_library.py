@@ -3,13 +3,13 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from ..assets.library import FOLDER, NAME, detach, ours
+from ..assets import library
 
 __all__ = ["CLASSES"]
 
 
 class FACET_FILM_OT_add_asset_library(bpy.types.Operator):
-    """Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths"""
+    """Add the materials and node groups to the Asset Browser, as a library of your preferences"""
 
     bl_idname = "facet_film.add_asset_library"
     bl_label = "Add Asset Library"
@@ -17,22 +17,21 @@ class FACET_FILM_OT_add_asset_library(bpy.types.Operator):
     @classmethod
     def poll(cls, _context):
         """Off where it is there already."""
-        if ours():
-            cls.poll_message_set(rpt_("The library is in Preferences, File Paths already"))
+        if library.is_shown():
+            cls.poll_message_set(rpt_("The library is in your preferences already"))
             return False
         return True
 
-    def execute(self, context):
+    def execute(self, _context):
         """Point the preferences at the folder that came with the extension."""
-        context.preferences.filepaths.asset_libraries.new(name=NAME, directory=str(FOLDER))
-        context.preferences.is_dirty = True
+        library.add()
         said = rpt_("Open an Asset Browser and choose the library {:s}: drag a material onto an object")
-        self.report({"INFO"}, said.format(NAME))
+        self.report({"INFO"}, said.format(library.NAME))
         return {"FINISHED"}
 
 
 class FACET_FILM_OT_remove_asset_library(bpy.types.Operator):
-    """Take the library off the Asset Browser again; what was dragged from it stays"""
+    """Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay"""
 
     bl_idname = "facet_film.remove_asset_library"
     bl_label = "Remove Asset Library"
@@ -40,15 +39,15 @@ class FACET_FILM_OT_remove_asset_library(bpy.types.Operator):
     @classmethod
     def poll(cls, _context):
         """Off where it is not there."""
-        if not ours():
+        if not library.is_shown():
             cls.poll_message_set(rpt_("The library is not in the preferences"))
             return False
         return True
 
     def execute(self, _context):
-        """Take off every entry that points into this extension."""
-        detach()
-        self.report({"INFO"}, rpt_("The library {:s} is no longer in the preferences").format(NAME))
+        """Take off or switch off every entry that points into this extension."""
+        library.remove()
+        self.report({"INFO"}, rpt_("The library {:s} is no longer shown").format(library.NAME))
         return {"FINISHED"}
 
 

@@ -7,13 +7,13 @@ from ...errors import FacetFilmError
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import is_measured
 from ..settings import Viewing, preset_property, realisation_property, viewing_of
-from .targets import OnActiveObject, active_material, put_on_selected, said_of, target_material
+from .targets import OnObjects, active_material, put, put_said, said_of
 
 __all__ = ["CLASSES"]
 
 
-class FACET_FILM_OT_bake_preset(OnActiveObject, Viewing, bpy.types.Operator):
-    """Bake a material into the active material slot of the active object, and put it on the other selected ones"""
+class FACET_FILM_OT_bake_preset(OnObjects, Viewing, bpy.types.Operator):
+    """Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects"""
 
     bl_idname = "facet_film.bake_preset"
     bl_label = "Bake Spectral Preset"
@@ -26,17 +26,13 @@ class FACET_FILM_OT_bake_preset(OnActiveObject, Viewing, bpy.types.Operator):
         """Bake, and put the material in the slots."""
         from ...api import create_material
         try:
-            with target_material(context) as target:
-                target.material = create_material(preset=self.preset, realisation=self.realisation,
-                                                  material=target.material, viewing=viewing_of(self))
+            done = put(context, lambda material: create_material(
+                preset=self.preset, realisation=self.realisation, material=material, viewing=viewing_of(self)))
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
-        left_out = put_on_selected(context)
-        said = said_of(context.active_object.active_material)
-        if left_out:
-            said += ". " + rpt_("Left out, as they take no materials or are linked: {:s}").format(", ".join(left_out))
-        self.report({"WARNING"} if left_out else {"INFO"}, said)
+        kind, said = put_said(done)
+        self.report({kind}, f"{said}. {said_of(done.material)}")
         return {"FINISHED"}
 
 

@@ -5,23 +5,19 @@ from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ...finishes import all_finishes
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import finish_of, model_of
+from ..settings import FINISH_ITEMS, OWN_FINISH, finish_property
 from .targets import active_material
 
-__all__ = ["CLASSES", "NONE", "shown_finish", "why_not"]
+__all__ = ["CLASSES", "shown_finish", "why_not"]
 
-NONE = "NONE"
-"""In place of a finish: the preset's own surface."""
-ITEMS = ((NONE, "Preset's Own", "As smooth or rough as the preset says"),
-         *((finish.name, finish.title, finish.note) for finish in all_finishes()))
 
 
 def shown_finish(material):
     """What a material's finish is called in the interface's language."""
-    name = finish_of(material) or NONE
-    return iface_(next(title for item, title, _ in ITEMS if item == name))
+    name = finish_of(material) or OWN_FINISH
+    return iface_(next(title for item, title, _ in FINISH_ITEMS if item == name))
 
 
 class FACET_FILM_OT_apply_finish(bpy.types.Operator):
@@ -31,7 +27,7 @@ class FACET_FILM_OT_apply_finish(bpy.types.Operator):
     bl_label = "Apply Finish"
     bl_options = {"REGISTER", "UNDO"}
 
-    finish: bpy.props.EnumProperty(name="Finish", items=ITEMS, description="What was done to the surface")
+    finish: finish_property()
 
     @classmethod
     def poll(cls, context):
@@ -46,7 +42,7 @@ class FACET_FILM_OT_apply_finish(bpy.types.Operator):
         from ...api import apply_finish
         material = active_material(context)
         try:
-            apply_finish(material, "" if self.finish == NONE else self.finish)
+            apply_finish(material, "" if self.finish == OWN_FINISH else self.finish)
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}

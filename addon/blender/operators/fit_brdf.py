@@ -13,7 +13,7 @@ from ...errors import FacetFilmError
 from .. import compat
 from ..datablocks.materials import create
 from ..settings import realisation_property
-from .targets import OnActiveObject, put_on_selected, target_material
+from .targets import OnObjects, put
 from .user_presets import FOLDER, preset_from, preset_text
 
 __all__ = ["CLASSES", "VERDICTS"]
@@ -40,7 +40,7 @@ VERDICTS = (
 """All that addon.measured.fit.Fit.verdict says."""
 
 
-class FACET_FILM_OT_fit_brdf(OnActiveObject, bpy.types.Operator):
+class FACET_FILM_OT_fit_brdf(OnObjects, bpy.types.Operator):
     """Fit a model to a measured BRDF, put it in the material slot and save it as a preset of your own: .bsdf of \
 RGL-EPFL, .binary of MERL, or points as text. Takes a few seconds; Esc stops it"""
 
@@ -164,14 +164,12 @@ RGL-EPFL, .binary of MERL, or points as text. Takes a few seconds; Esc stops it"
     def _apply(self, context):
         """Put the material in the slots, and save it."""
         record = self._fit.record(self.realisation, compat.renderer())
-        with target_material(context) as target:
-            target.material = create(record, material=target.material)
-        put_on_selected(context)
+        done = put(context, lambda material: create(record, material=material))
         said = rpt_("{:s} fitted, CIEDE2000 {:.2f} on average: {:s}").format(
             self._fit.title, self._fit.mean, iface_(self._fit.verdict))
         if self.save:
             path = _free(AddPresetBase.as_filename(self._fit.title), self._fit.file)
-            path.write_text(preset_text(context.active_object.active_material), encoding="utf-8")
+            path.write_text(preset_text(done.material), encoding="utf-8")
             said += rpt_(". Saved among your presets as {:s}").format(path.stem)
         self.report({"WARNING"} if self._fit.reason else {"INFO"}, said)
         return {"FINISHED"}

@@ -3,6 +3,8 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
+from ..assets.imported import renew
+from ..datablocks.groups import merge_groups
 from ..datablocks.locked import is_editable, why_locked
 from ..datablocks.materials import our_node
 from .targets import active_material
@@ -32,11 +34,32 @@ class FACET_FILM_OT_make_local(bpy.types.Operator):
     def execute(self, context):
         """Make it local, and put it in the slots where the linked one was."""
         material, target = active_material(context), context.active_object
-        local = material.make_local(clear_liboverride=True) or material
+        local = localised(material)
         if target is not None and target.active_material == material:
             target.active_material = local
         self.report({"INFO"}, rpt_("{:s} is the file's own now").format(local.name))
         return {"FINISHED"}
+
+
+def localised(material):
+    """A material of this file in the place of a linked or overridden one, with groups of this file."""
+    local = material.make_local(clear_liboverride=True) or material
+    for tree in _trees_in(local.node_tree):
+        if tree.library is not None:
+            tree.make_local()
+    renew(local)
+    merge_groups()
+    return local
+
+
+def _trees_in(tree, found=None):
+    """The groups in a tree and in those."""
+    found = [] if found is None else found
+    for inner in (getattr(node, "node_tree", None) for node in tree.nodes):
+        if inner is not None and inner not in found:
+            found.append(inner)
+            _trees_in(inner, found)
+    return found
 
 
 def _why_not(target):

@@ -9,7 +9,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from ..panels.preview import draw_preview
 from ..settings import Viewing, realisation_property, viewing_of
-from .targets import OnActiveObject, put_on_selected, said_of, target_material
+from .targets import OnObjects, put, said_of
 
 __all__ = ["CLASSES"]
 
@@ -34,7 +34,7 @@ def _choices(operator, _context, text):
     return [name for name in (seen.choices if seen else ()) if text.casefold() in name.casefold()]
 
 
-class _FromMeasurement(OnActiveObject, Viewing):
+class _FromMeasurement(OnObjects, Viewing):
     """What importing and pasting share: bake a measurement into the active material slot."""
 
     bl_options = {"REGISTER", "UNDO"}
@@ -49,16 +49,13 @@ class _FromMeasurement(OnActiveObject, Viewing):
         from ...api import create_material
         try:
             constants = read()
-            with target_material(context) as target:
-                target.material = create_material(
-                    preset=constants, realisation=self.realisation, material=target.material,
-                    viewing=viewing_of(self))
-            put_on_selected(context)
+            done = put(context, lambda material: create_material(
+                preset=constants, realisation=self.realisation, material=material, viewing=viewing_of(self)))
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         assumed = [line[0].upper() + line[1:] for line in constants.assumed]
-        said = ". ".join([said_of(context.active_object.active_material), *assumed])
+        said = ". ".join([said_of(done.material), *assumed])
         self.report({"INFO"} if constants.covers_visible else {"WARNING"}, said)
         return {"FINISHED"}
 

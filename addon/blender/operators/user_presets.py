@@ -10,8 +10,8 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
 from .. import compat
-from ..datablocks.materials import baked_of, create, model_of, record_of
-from .targets import OnActiveObject, active_material, put_on_selected, said_of, target_material
+from ..datablocks.materials import create, model_of, record_of
+from .targets import OnObjects, active_material, put, put_said
 
 __all__ = ["CLASSES", "draw_header", "preset_text", "preset_from"]
 
@@ -94,7 +94,7 @@ class FACET_FILM_OT_save_user_preset(AddPresetBase, bpy.types.Operator):
         Path(filepath).write_text(preset_text(active_material(context)), encoding="utf-8")
 
 
-class FACET_FILM_OT_apply_user_preset(OnActiveObject, bpy.types.Operator):
+class FACET_FILM_OT_apply_user_preset(OnObjects, bpy.types.Operator):
     """Make the active material slot the material that you saved"""
 
     bl_idname = "facet_film.apply_user_preset"
@@ -108,14 +108,12 @@ class FACET_FILM_OT_apply_user_preset(OnActiveObject, bpy.types.Operator):
         """Read the file, put the material in the slots."""
         try:
             text = _text_of(self.filepath)
-            with target_material(context) as target:
-                target.material = material_of(text, target.material)
+            done = put(context, lambda material: material_of(text, material))
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
-        put_on_selected(context)
-        material = context.active_object.active_material
-        self.report({"INFO"}, said_of(material) if baked_of(material) else Path(self.filepath).stem)
+        kind, said = put_said(done)
+        self.report({kind}, said)
         return {"FINISHED"}
 
 

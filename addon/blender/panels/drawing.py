@@ -7,7 +7,7 @@ from bpy.app.translations import pgettext_iface as iface_
 
 from ..datablocks.groups import group_id, model_of_group
 
-__all__ = ["draw_facts", "draw_parameters", "draw_sentence"]
+__all__ = ["draw_facts", "draw_parameters", "draw_sentence", "draw_socket"]
 
 PIXELS_A_LETTER = 6.5
 
@@ -65,7 +65,7 @@ def draw_parameters(layout, node):
         if panel not in bodies:
             bodies[panel] = _closed_panel(layout, node, panel)
         if bodies[panel] is not None:
-            _draw_socket(bodies[panel], node, socket, known.get(socket.name))
+            draw_socket(bodies[panel], node, socket, known.get(socket.name))
 
 
 def _closed_panel(layout, node, title):
@@ -75,7 +75,7 @@ def _closed_panel(layout, node, title):
     return body
 
 
-def _draw_socket(column, node, socket, known):
+def draw_socket(column, node, socket, known):
     """A socket's value, or what is plugged into it; with its unit, and what else its value means."""
     shown = iface_(socket.name) + (f" ({known.unit})" if known and known.unit else "")
     row = column.row(align=True)

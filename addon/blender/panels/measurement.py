@@ -1,32 +1,93 @@
-"""The panel that shows what was baked into a material."""
+"""The panels of measurements: what was baked into a material, in which light the next is, data in and out."""
 
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_n as n_
 
 from ..assets.thumbnails import colour_icon, strip_icon
-from ..datablocks.materials import baked_of, our_node
+from ..datablocks.materials import baked_of, is_measured, model_of, our_node, realisation_of
+from ..operators.targets import active_material
+from ..settings import copy_viewing, preferences
 from .drawing import draw_facts, draw_sentence
 from .material import MaterialPanel
 
 __all__ = ["CLASSES", "draw_measurement"]
 
 
-class FACET_FILM_PT_baked(MaterialPanel, bpy.types.Panel):
-    """What was baked into this material, and how far it is from the measurement"""
+class FACET_FILM_PT_measurement(MaterialPanel, bpy.types.Panel):
+    """What was measured and baked into this material, how far it is from the measurement, and any other measurement"""
 
     bl_label = "Measurement"
     bl_parent_id = "FACET_FILM_PT_material"
     bl_options = {"DEFAULT_CLOSED"}
 
-    @classmethod
-    def poll(cls, context):
-        """Shown for materials of ours that were baked."""
-        return our_node(context.material) is not None and bool(baked_of(context.material))
+    def draw(self, context):
+        """The colours and the record of the bake; the field for any material or dataset."""
+        settings = context.window_manager.facet_film
+        if our_node(context.material) is not None and baked_of(context.material):
+            draw_measurement(self.layout, baked_of(context.material), context.region)
+        row = self.layout.row(align=True)
+        row.prop(settings, "preset", text="", icon="VIEWZOOM")
+        operator = row.operator("facet_film.bake_preset", text="Apply", icon="SHADING_RENDERED")
+        operator.preset = settings.preset
+        operator.realisation = realisation_of(context.material) or preferences().realisation
+        copy_viewing(settings, operator)
+
+
+class FACET_FILM_PT_light(MaterialPanel, bpy.types.Panel):
+    """In which light materials are baked from now on, for which observer and into which numbers"""
+
+    bl_label = "Light and Gamut"
+    bl_parent_id = "FACET_FILM_PT_measurement"
+    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        """The colours, and the record of the bake."""
-        draw_measurement(self.layout, baked_of(context.material), context.region)
+        """Illuminant, observer, working space and gamut; and what is there already, baked again."""
+        settings = context.window_manager.facet_film
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        for name in ("illuminant", "adapt", "observer", "medium", "space", "gamut"):
+            layout.prop(settings, name)
+        column = layout.column(align=True)
+        if is_measured(context.material):
+            copy_viewing(settings, column.operator("facet_film.rebake", icon="FILE_REFRESH"))
+        column.operator("facet_film.rebake_all", icon="FILE_REFRESH")
+
+
+class FACET_FILM_MT_export(bpy.types.Menu):
+    """The forms that the material can be written in"""
+
+    bl_label = "Export Measurement"
+
+    def draw(self, context):
+        """An entry a form of the material's model."""
+        model = model_of(active_material(context))
+        for name, form in (model.forms if model else {}).items():
+            self.layout.operator("facet_film.export", text=form.title).form = name
+
+
+class FACET_FILM_PT_data(MaterialPanel, bpy.types.Panel):
+    """Measurements in and out, and compared"""
+
+    bl_label = "Data"
+    bl_parent_id = "FACET_FILM_PT_measurement"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        """Import, paste, fit, export, check, compare."""
+        settings = context.window_manager.facet_film
+        column = self.layout.column(align=True)
+        for name, icon in (("import", "FILEBROWSER"), ("paste", "PASTEDOWN")):
+            operator = column.operator(f"facet_film.{name}_constants", icon=icon)
+            operator.realisation = preferences().realisation
+            copy_viewing(settings, operator)
+        column.operator("facet_film.fit_brdf", icon="SHADING_RENDERED").realisation = preferences().realisation
+        column.menu("FACET_FILM_MT_export", icon="EXPORT")
+        column.operator("facet_film.principled_twin", icon="MATERIAL")
+        column = self.layout.column(align=True)
+        column.operator("facet_film.check", icon="CHECKMARK").against = settings.preset
+        column.operator("facet_film.spread", icon="SORTSIZE").material = settings.preset
 
 
 def draw_measurement(layout, record, region):
@@ -92,4 +153,4 @@ def _three(values):
     return "  ".join(f"{value:.3f}" for value in values)
 
 
-CLASSES = (FACET_FILM_PT_baked,)
+CLASSES = (FACET_FILM_PT_measurement, FACET_FILM_PT_light, FACET_FILM_MT_export, FACET_FILM_PT_data)

@@ -3,6 +3,7 @@
 import bpy
 
 from ..datablocks.menu import parts
+from .menus import draw_in_menu
 
 __all__ = ["CLASSES", "attach", "detach"]
 
@@ -25,6 +26,7 @@ class FACET_FILM_MT_add(bpy.types.Menu):
                 operator = layout.operator("facet_film.add_group", text=name)
                 operator.group = identifier
                 operator.preset = settings.preset
+        draw_in_menu(self, context)
 
 
 def draw_entry(self, context):

@@ -1,4 +1,4 @@
-"""The sidebar tab of the Shader Editor: presets and parameters of the selected group."""
+"""The sidebar tab of the Shader Editor: the material's card, and presets and parameters of the selected group."""
 
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
@@ -6,8 +6,8 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ..datablocks.locked import why_locked
 from ..operators.apply_to_node import takes_presets
 from ..settings import copy_viewing
+from .card import draw_card
 from .drawing import draw_parameters, draw_sentence
-from .picker import draw_card
 
 __all__ = ["CLASSES"]
 
@@ -18,10 +18,25 @@ class _Tab:
     bl_category = "Facet & Film"
 
 
+class FACET_FILM_PT_node_material(_Tab, bpy.types.Panel):
+    """The material that the editor shows"""
+
+    bl_label = "Material"
+
+    @classmethod
+    def poll(cls, context):
+        """Shown for materials."""
+        return context.space_data.tree_type == "ShaderNodeTree" and context.space_data.shader_type == "OBJECT"
+
+    def draw(self, context):
+        """The card."""
+        draw_card(self.layout, context)
+
+
 class FACET_FILM_PT_node(_Tab, bpy.types.Panel):
     """Presets of the selected group"""
 
-    bl_label = "Preset"
+    bl_label = "Selected Node"
 
     @classmethod
     def poll(cls, context):
@@ -29,20 +44,18 @@ class FACET_FILM_PT_node(_Tab, bpy.types.Panel):
         return context.space_data.tree_type == "ShaderNodeTree" and context.space_data.edit_tree is not None
 
     def draw(self, context):
-        """The card, or what to do first."""
-        if not takes_presets(context.active_node):
+        """A field to type in and Apply, or what to do first."""
+        node = context.active_node
+        if not takes_presets(node):
             draw_sentence(self.layout, rpt_("Select a group of Facet & Film, or add one: Add, Facet & Film"), "INFO",
                           context.region)
             return
         settings = context.window_manager.facet_film
-        self.layout.label(text=context.active_node.node_tree.name, icon="NODETREE", translate=False)
-        draw_card(self.layout, settings, lambda column: _draw_apply(column, settings), realisation=False)
-
-
-def _draw_apply(layout, settings):
-    operator = layout.operator("facet_film.apply_to_node", icon="SHADING_RENDERED")
-    operator.preset = settings.preset
-    copy_viewing(settings, operator)
+        self.layout.label(text=node.node_tree.name, icon="NODETREE", translate=False)
+        self.layout.prop(settings, "preset", text="", icon="VIEWZOOM")
+        operator = self.layout.operator("facet_film.apply_to_node", icon="SHADING_RENDERED")
+        operator.preset = settings.preset
+        copy_viewing(settings, operator)
 
 
 class FACET_FILM_PT_node_parameters(_Tab, bpy.types.Panel):
@@ -61,4 +74,4 @@ class FACET_FILM_PT_node_parameters(_Tab, bpy.types.Panel):
         draw_parameters(self.layout, context.active_node)
 
 
-CLASSES = (FACET_FILM_PT_node, FACET_FILM_PT_node_parameters)
+CLASSES = (FACET_FILM_PT_node_material, FACET_FILM_PT_node, FACET_FILM_PT_node_parameters)

@@ -19,6 +19,8 @@ TEXTS = {
         "；表面处理的痕迹留在 Blender 中，其粗糙度已包含",
     "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
         "菲涅耳曲线由 0° 到 90° 的角度及各自的三个 0 到 1 的反射率组成，例如 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1'，而不是 {value!r}。",
+    "A button in the headers of the 3D Viewport and of the Shader Editor":
+        "3D 视图和着色器编辑器标题栏中的按钮",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "检查只接受其中之一：n 与 k、带或不带色调的 F0、一种材质。",
     "A conductor's, by its complex refractive index":
@@ -49,6 +51,8 @@ TEXTS = {
         "层堆是形如 'SiO2 0-1000 nm / Si' 的文本，由外向内书写，而不是 {value!r}。",
     "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
         "{films} 层薄膜的层堆有 {indices} 个折射率：外部、各薄膜和基底；给出了 {given} 个。",
+    "A tab in the sidebar of the 3D Viewport":
+        "3D 视图侧边栏中的标签",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
     "A thickness that varies becomes its middle.":
@@ -57,6 +61,8 @@ TEXTS = {
         "验证正在运行",
     "Absorption":
         "吸收",
+    "Active Slot":
+        "活动槽",
     "Adapt White":
         "适应白点",
     "Add Asset Library":
@@ -65,12 +71,12 @@ TEXTS = {
         "添加 Facet & Film 节点组",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "添加 Facet & Film 节点组；文件中已有的会被复用",
-    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
-        "将材质与节点组作为库添加到资产浏览器（偏好设置，文件路径）",
+    "Add the materials and node groups to the Asset Browser, as a library of your preferences":
+        "将材质和节点组作为偏好设置中的资产库添加到资产浏览器",
+    "All Slots":
+        "所有槽",
     "All materials of Facet & Film in this file are in its working space":
         "此文件中所有 Facet & Film 材质均已处于其工作色彩空间",
-    "Alloys":
-        "合金",
     "Amount":
         "数量",
     "An even sheen without marks":
@@ -85,6 +91,8 @@ TEXTS = {
         "应用",
     "Apply Finish":
         "应用表面处理",
+    "Apply Material":
+        "应用材质",
     "Apply Saved Preset":
         "应用已保存的预设",
     "Apply a material of Facet & Film first: there is nothing to save":
@@ -95,8 +103,6 @@ TEXTS = {
         "同文中发表的另一种",
     "As smooth or rough as the preset says":
         "光滑或粗糙程度由预设决定",
-    "Asset Library":
-        "资产库",
     "At 0°":
         "0° 处",
     "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
@@ -121,8 +127,8 @@ TEXTS = {
         "方位角",
     "Bake Spectral Preset":
         "烘焙光谱预设",
-    "Bake a material into the active material slot of the active object, and put it on the other selected ones":
-        "将材质烘焙到活动物体的活动材质槽，并赋予其他选中的物体",
+    "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
+        "按此处选择的光烘焙目录中的材质或数据集，并赋予所选物体",
     "Bake a measured material first: there is nothing to bake again":
         "请先烘焙实测材质：没有可重新烘焙的内容",
     "Bake a measured material first: there is nothing to export":
@@ -176,10 +182,16 @@ TEXTS = {
         "核对",
     "Check Against a Measurement":
         "与测量值核对",
+    "Choose a Material":
+        "选择材质",
     "Choose a file: here stands what it is read as":
         "选择文件：此处显示它被读作什么",
+    "Choose a material by its picture, above":
+        "请在上方按图片选择材质",
     "Citation":
         "引文",
+    "Clean and fast, on every device and in EEVEE: the one to take first":
+        "干净快速，适用于所有设备和 EEVEE：首选",
     "Clear Dispersive":
         "透明（色散）",
     "Clear Standard":
@@ -206,8 +218,6 @@ TEXTS = {
         "Cook–Torrance 快速",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals and Gems":
-        "晶体与宝石",
     "Curve":
         "曲线",
     "Cut every channel off at 0 and 1":
@@ -248,6 +258,12 @@ TEXTS = {
         "此 Blender 是否正确渲染已发表的公式？在本机上验证：",
     "Drained":
         "排液",
+    "Drop Material":
+        "放下材质",
+    "Drop on {:s}   (Esc stops)":
+        "放到 {:s} 上   (Esc 停止)",
+    "Drop this material on an object: it goes into the slot of the face under the mouse":
+        "将此材质放到物体上：进入鼠标下面所在的槽",
     "Dull and tarnished, rubbed bright at the edges":
         "暗淡失泽，边缘磨亮",
     "Edge Roughness":
@@ -258,6 +274,8 @@ TEXTS = {
         "边缘宽度",
     "Edges rubbed bright, for Roughness and Tint":
         "磨亮的边缘，用于粗糙度和染色",
+    "Entries in the Object menu and in the context menus of objects, faces and material slots":
+        "物体菜单以及物体、面和材质槽右键菜单中的条目",
     "Every parameter":
         "所有参数",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -266,8 +284,6 @@ TEXTS = {
         "此文件中的一切都是当前版本",
     "Everything that was baked":
         "烘焙的全部内容",
-    "Exact":
-        "精确",
     "Exponent R":
         "指数 R",
     "Exponent T":
@@ -284,10 +300,8 @@ TEXTS = {
         "F82 色调",
     "F82 tint":
         "F82 色调",
-    "Fast":
-        "快速",
-    "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow":
-        "快速；对钻石、铅水晶等以彩虹色散著称的材质用色散",
+    "Facet & Film Material...":
+        "Facet & Film 材质...",
     "File":
         "文件",
     "File of a measured BRDF":
@@ -308,6 +322,8 @@ TEXTS = {
         "薄膜热着色",
     "Film Thickness":
         "薄膜厚度",
+    "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
+        "按名称、化学式或任何别名查找材质，并赋予所选物体",
     "Fine scratches, for Roughness and Normal":
         "细划痕，用于粗糙度和法线",
     "Fingerprints":
@@ -316,6 +332,8 @@ TEXTS = {
         "指纹和擦痕，用于粗糙度",
     "Finish":
         "表面处理",
+    "Finish: {:s}":
+        "表面处理：{:s}",
     "First Thickness":
         "起始厚度",
     "Fit":
@@ -346,8 +364,6 @@ TEXTS = {
         "为此材质换一种表面处理；其材料不变",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
-    "Glasses":
-        "玻璃",
     "Gradient":
         "渐变",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
@@ -358,6 +374,8 @@ TEXTS = {
         "组",
     "Hammered":
         "锤纹",
+    "Headers":
+        "标题栏",
     "How many rms slopes the facets have":
         "微面均方根斜率的个数",
     "How the facets' slopes are distributed":
@@ -374,18 +392,20 @@ TEXTS = {
         "图像行数",
     "Import Measurement":
         "导入测量数据",
-    "In the Asset Browser as Facet & Film":
-        "在资产浏览器中名为 Facet & Film",
+    "In Place":
+        "原位",
     "Inside, unchanged":
         "在色域内，未改变",
-    "Iridescent":
-        "虹彩",
+    "Into a slot of its own; in Edit Mode for the selected faces":
+        "放入单独的槽；编辑模式下用于所选的面",
+    "Into every material slot of every selected object":
+        "放入每个所选物体的每个材质槽",
+    "Into the active material slot of every selected object":
+        "放入每个所选物体的活动材质槽",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
     "Keep it among your own presets, with what it was fitted from":
         "保存到自己的预设中，并注明拟合来源",
-    "Kind":
-        "类别",
     "Large fields of view":
         "大视场",
     "Last Thickness":
@@ -394,8 +414,6 @@ TEXTS = {
         "层厚度",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "层堆的第 {place} 层在每个波长处都需要 n 大于 0 且 k 不小于 0。",
-    "Layered Films":
-        "分层薄膜",
     "Layered RGB Exact":
         "Layered RGB 精确",
     "Layered RGB Fast":
@@ -418,15 +436,15 @@ TEXTS = {
         "决定材质颜色的光；D65 是日光，在 Blender 中为白色",
     "Linear Rec.709, Blender's default":
         "线性 Rec.709，Blender 的默认值",
-    "Liquids":
-        "液体",
     "Lower Normal":
         "下层法线",
     "Make Local":
-        "本地化",
+        "设为本地",
     "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
     "baking textures, for other engines and exporters. The material itself stays in the file":
         "创建一个由单个原理化 BSDF 构成、最接近此材质的材质，并放到其位置：用于烘焙纹理、其他引擎和导出器。原材质保留在文件中",
+    "Make the active material itself over, wherever it is used":
+        "直接改造活动材质，无论它用在何处",
     "Make the active material slot the material that you saved":
         "将活动材质槽设为已保存的材质",
     "Make this linked or overridden material the file's own: changes in its library no longer arrive":
@@ -435,30 +453,30 @@ TEXTS = {
         "匹配工作色彩空间",
     "Material":
         "材质",
+    "Material Shelf":
+        "材质架",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "材质：预设名称，或数据集如 main/Cu/Johnson。输入即可搜索",
     "Matt, with an even, fine grain":
         "哑光，颗粒均匀细腻",
     "Measured Material":
         "实测材质",
-    "Measured Surfaces":
-        "实测表面",
     "Measurement":
         "测量",
-    "Metals":
-        "金属",
+    "Menus":
+        "菜单",
     "Model":
         "模型",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
-    "Native closures from an OSL script: needs Open Shading Language switched on":
-        "OSL 脚本中的原生闭包：需启用开放着色语言",
-    "Native closures: light-sampled, on every device, and in EEVEE":
-        "原生闭包：支持光源采样、所有设备以及 EEVEE",
     "Nearest":
         "最接近",
+    "New Materials":
+        "新材质",
     "New Name":
         "新名称",
+    "New Slot":
+        "新槽",
     "Nodes updated: {:d}":
         "已更新节点：{:d}",
     "Noise Detail":
@@ -467,8 +485,8 @@ TEXTS = {
         "噪波缩放",
     "Normal":
         "法线",
-    "OSL Fast":
-        "OSL 快速",
+    "OSL Standard":
+        "OSL 标准",
     "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
         "OSL 需要 CPU 或 OptiX：在此设备上将显示“{:s}”",
     "Observer":
@@ -481,18 +499,16 @@ TEXTS = {
         "开放着色语言未启用：在渲染属性中启用之前，将显示“{:s}”",
     "Open a material in the Shader Editor first":
         "请先在着色器编辑器中打开材质",
+    "Open all materials as pictures: each click puts one on the selected objects, until Esc. The first time this adds the library Facet & Film to your preferences":
+        "以图片打开所有材质：每次点击将一种材质赋予所选物体，直到按 Esc。首次使用会将资产库 Facet & Film 添加到偏好设置",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "打开资产浏览器并选择库 {:s}：将材质拖到物体上",
-    "Other Conductors":
-        "其他导体",
     "Outside":
         "外部介质",
     "Outside IOR":
         "外部折射率",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "色域外：{:s}，通道最多改变 {:.3f}",
-    "Oxides":
-        "氧化物",
     "Parallel streaks, and highlights drawn out across them":
         "平行纹路，高光横向拉长",
     "Parallel streaks, for Roughness, Normal and Tangent":
@@ -505,12 +521,8 @@ TEXTS = {
         "凹坑",
     "Polished":
         "抛光",
-    "Polymers":
-        "聚合物",
     "Preset":
         "预设",
-    "Preset by its picture; the filter beside the name chooses the kind":
-        "按图片选择预设；名称旁的过滤器选择类别",
     "Preset or dataset":
         "预设或数据集",
     "Preset or dataset to compare":
@@ -525,6 +537,8 @@ TEXTS = {
         "原理化孪生材质",
     "Published Scale":
         "原文尺度",
+    "Put this material on the selected objects. What you made by hand stays: the slot gets a new material":
+        "将此材质赋予所选物体。您手工制作的材质会保留：槽中放入新材质",
     "Randomness":
         "随机性",
     "Re-bake":
@@ -533,8 +547,12 @@ TEXTS = {
         "重新烘焙所有材质",
     "Read As":
         "读作",
+    "Read the Documents":
+        "阅读文档",
     "Realisation":
         "实现方式",
+    "Reference":
+        "参考",
     "Reflectance at normal incidence":
         "正入射反射率",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
@@ -555,8 +573,8 @@ TEXTS = {
         "在另一个 Blender 中渲染所有模型与实现方式，将像素与已发表的公式比较并打开报告。需一至五分钟；按 Esc 停止",
     "Render this material by another realisation; every value and link that you set stays":
         "以另一种实现方式渲染此材质；所有数值与连线保留",
-    "Renders by {:s}":
-        "渲染方式：{:s}",
+    "Renders by":
+        "渲染方式",
     "Rotation":
         "旋转",
     "Rough, 1982":
@@ -591,6 +609,10 @@ TEXTS = {
         "划痕粗糙度",
     "Scratched":
         "划痕",
+    "Search":
+        "搜索",
+    "Search Facet & Film Materials":
+        "搜索 Facet & Film 材质",
     "See-through":
         "透视",
     "See-through Shadows":
@@ -599,10 +621,10 @@ TEXTS = {
         "请先选择 Facet & Film 组节点",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
         "请选择 Facet & Film 节点组，或添加：添加，Facet & Film",
-    "Select an object first: the preset is baked into its active material slot":
-        "请先选择物体：预设将烘焙到其活动材质槽",
-    "Semiconductors":
-        "半导体",
+    "Select an object first: the material goes into its active material slot":
+        "请先选择一个物体：材质会放入其活动材质槽",
+    "Selected Node":
+        "所选节点",
     "Several slopes become one of the same rms.":
         "多个斜率合为一个均方根相同的斜率。",
     "Shadows and caustics are the other program's own.":
@@ -611,10 +633,16 @@ TEXTS = {
         "浅凹窝相邻排列，各有高光",
     "Shallow dimples, for Roughness and Normal":
         "浅凹窝，用于粗糙度和法线",
+    "Shelf":
+        "材质架",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "显示 F0、F82，以及输入的数值或材质与实测材质的 CIEDE2000 差异",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "并列显示同一材质的所有测量值：各实验室发表的数值有所不同",
+    "Show or hide a shelf of all materials along the 3D Viewport, to click on or to drag onto objects":
+        "显示或隐藏 3D 视图边上的材质架，可点击或拖到物体上",
+    "Sidebar":
+        "侧边栏",
     "Slope Ratio 2":
         "斜率比 2",
     "Slope Ratio 3":
@@ -643,6 +671,12 @@ TEXTS = {
         "按每个微面的角度计算的薄膜堆叠，仅用节点采样，适用于所有设备",
     "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
         "以原生闭包实现的薄膜堆叠，每个通道一个波瓣：按光源采样，适用于所有设备",
+    "Standard":
+        "标准",
+    "Standard as an OSL script: needs Open Shading Language switched on":
+        "标准方式的 OSL 脚本：需要打开 Open Shading Language",
+    "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "标准；钻石、铅晶质玻璃等以彩虹闻名者用色散",
     "Stopped: no material was changed":
         "已停止：没有材质被更改",
     "Stopped: nothing was fitted":
@@ -651,14 +685,12 @@ TEXTS = {
         "环形纹路，如车床加工或锅底",
     "Streaks in circles, for Roughness, Normal and Tangent":
         "环形纹路，用于粗糙度、法线和切线",
-    "Sulphides":
-        "硫化物",
     "Switch Realisation":
         "切换实现方式",
     "Table":
         "表格",
-    "Take the library off the Asset Browser again; what was dragged from it stays":
-        "将该库从资产浏览器移除；已拖入的内容保留",
+    "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
+        "从资产浏览器中移除该库以及可供选择的图片；材质保留",
     "Tangent":
         "切线",
     "Tarnish":
@@ -669,8 +701,8 @@ TEXTS = {
         "纹理",
     "Texture Share":
         "纹理占比",
-    "The Papers' Figures":
-        "论文中的图",
+    "The asset library {:s} was added to your preferences; the extension's own take it out again":
+        "资产库 {:s} 已添加到偏好设置；可在扩展的偏好设置中移除",
     "The coarse, dull skin of a sand mould, with pits":
         "砂型铸造的粗糙暗淡表皮，带凹坑",
     "The colour inside that looks most alike, by CIEDE2000":
@@ -679,10 +711,10 @@ TEXTS = {
         "在“系统”的“Cycles 渲染设备”中启用的设备",
     "The facets' distribution becomes GGX, whose highlights have wider tails.":
         "微面分布变为 GGX，其高光拖尾更宽。",
-    "The film's colors over the angle become two: face on and at 82°.":
-        "薄膜随角度变化的颜色简化为两个：正视和 82°。",
     "The file {file!r} cannot be read.":
         "无法读取文件 {file!r}。",
+    "The film's colors over the angle become two: face on and at 82°.":
+        "薄膜随角度变化的颜色简化为两个：正视和 82°。",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
@@ -698,12 +730,12 @@ TEXTS = {
         "Granier 与 Heidrich 2003 的原公式，仅用节点采样，适用于所有设备",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
-    "The library is in Preferences, File Paths already":
-        "该库已在偏好设置的文件路径中",
+    "The library is in your preferences already":
+        "该库已在偏好设置中",
     "The library is not in the preferences":
         "该库不在偏好设置中",
-    "The library {:s} is no longer in the preferences":
-        "库 {:s} 已不在偏好设置中",
+    "The library {:s} is no longer shown":
+        "不再显示资产库 {:s}",
     "The measured points: wavelength_nm, n, k":
         "测量点：wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
@@ -716,10 +748,10 @@ TEXTS = {
         "无法读取预设 {file!r}。",
     "The processor":
         "处理器",
-    "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
-        "以 OSL 脚本表示的已发表公式：需在渲染属性中启用开放着色语言，使用 CPU 或 OptiX；EEVEE 显示“快速”",
-    "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
-        "已发表的公式本身，仅用节点采样，支持所有设备；EEVEE 显示“快速”",
+    "The published formula as an OSL script: needs Open Shading Language switched on in the Render properties, on the CPU or OptiX; EEVEE shows Standard":
+        "以 OSL 脚本实现的论文公式：需要在渲染属性中打开 Open Shading Language，用于 CPU 或 OptiX；EEVEE 显示标准方式",
+    "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
+        "论文公式本身，适用于所有设备：较慢且噪点较多，用于对照；EEVEE 显示标准方式",
     "The rough finish of the paper's copper vase":
         "论文中铜花瓶的粗糙表面",
     "The same with the colours of the rainbow, each refracted by its own index":
@@ -733,6 +765,8 @@ TEXTS = {
         "第二个 Blender 以状态 {:d} 结束：{:s}",
     "The shader {shader} does not compile: {why}":
         "着色器 {shader} 无法编译：{why}",
+    "The shelf stands in a 3D Viewport in Object Mode":
+        "材质架位于物体模式下的 3D 视图中",
     "The simplest of the others of which no other comes clearly closer":
         "其余选项中最简单且没有其他明显更接近的一种",
     "The skin of a sand mould, for Roughness and Normal":
@@ -747,6 +781,8 @@ TEXTS = {
         "验证已停止；没有报告",
     "There is a preset called {:s} already":
         "已有名为 {:s} 的预设",
+    "There is no material of Facet & Film called {name!r}.":
+        "Facet & Film 中没有名为 {name!r} 的材质。",
     "Thickness":
         "厚度",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -759,12 +795,12 @@ TEXTS = {
         "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
     "Thin Walled":
         "薄壁",
-    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
-        "此 Blender 编译时未包含 OSL：请使用精确或快速实现，它们渲染同一材质",
-    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
-        "此 Blender 缺少 OSL 脚本所需的模块 oslquery：请使用精确或快速实现",
-    "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
-        "此引擎以“快速”代替：要使用此实现方式，请在渲染属性中选择 Cycles",
+    "This Blender is built without OSL: take Reference or Standard, which render the same material":
+        "此 Blender 未包含 OSL：请使用参考或标准方式，渲染同一材质",
+    "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard":
+        "此 Blender 缺少 OSL 脚本所需的 oslquery 模块：请使用参考或标准方式",
+    "This engine renders Standard in its place: for this realisation choose Cycles in the Render properties":
+        "此引擎改用标准方式渲染：要使用此实现，请在渲染属性中选择 Cycles",
     "This file has no material with a measurement: bake a preset first":
         "此文件没有带测量数据的材质：请先烘焙预设",
     "This file is no preset of Facet & Film.":
@@ -777,6 +813,8 @@ TEXTS = {
         "时间",
     "Tint":
         "染色",
+    "To":
+        "放到",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "朝相同亮度的灰色移动，直到进入色域：1982 年论文的方法",
     "Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as they were "
@@ -839,10 +877,14 @@ TEXTS = {
         "写入的内容",
     "What was done to the surface":
         "表面经过怎样的处理",
+    "Where the material goes":
+        "材质放到哪里",
+    "Where to Find It":
+        "在哪里找到",
     "Which group to add":
         "要添加的组",
-    "Which presets to show pictures of":
-        "显示哪些预设的图片",
+    "Which material to apply":
+        "要应用的材质",
     "Width":
         "宽度",
     "Wipe Marks":
@@ -1000,6 +1042,8 @@ TEXTS = {
         "白色荧光灯，3450 K",
     "{:d} materials baked again":
         "已重新烘焙 {:d} 个材质",
+    "{:d} objects":
+        "{:d} 个物体",
     "{:d} used, {:d} left out":
         "使用 {:d} 个，舍去 {:d} 个",
     "{:s} applied":
@@ -1012,6 +1056,8 @@ TEXTS = {
         "{:s} 是链接的：请在 {:s} 中更新",
     "{:s} is the file's own now":
         "{:s} 现为此文件自有",
+    "{:s} on {:s}":
+        "{:s} 已应用到 {:s}",
     "{:s} renders by {:s}":
         "{:s} 的渲染方式：{:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":

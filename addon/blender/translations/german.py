@@ -19,6 +19,8 @@ TEXTS = {
         "; die Spuren der Oberfläche bleiben in Blender, ihre Rauheit ist darin",
     "A Fresnel curve is angles from 0° to 90° with three reflectances from 0 to 1 each, such as 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', not {value!r}.":
         "Eine Fresnel-Kurve besteht aus Winkeln von 0° bis 90° mit je drei Reflexionsgraden von 0 bis 1, etwa 'Fresnel 0° 0.1 0.1 0.1 / 90° 1 1 1', nicht {value!r}.",
+    "A button in the headers of the 3D Viewport and of the Shader Editor":
+        "Ein Knopf in den Kopfleisten der 3D-Ansicht und des Shader-Editors",
     "A check takes one of: n with k, F0 with or without a tint, a material.":
         "Geprüft wird eines von: n mit k, F0 mit oder ohne Tönung, ein Material.",
     "A conductor's, by its complex refractive index":
@@ -51,6 +53,8 @@ TEXTS = {
     "A stack of {films} films has {indices} indices: outside, films and substrate; {given} were given.":
         "Ein Stapel aus {films} Schichten hat {indices} Brechzahlen: außen, Schichten und Träger; gegeben "
         "sind {given}.",
+    "A tab in the sidebar of the 3D Viewport":
+        "Ein Reiter in der Seitenleiste der 3D-Ansicht",
     "A table has at most {most} entries, not {rows} × {columns}; take fewer rows or columns.":
         "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
     "A thickness that varies becomes its middle.":
@@ -59,6 +63,8 @@ TEXTS = {
         "Eine Prüfung läuft",
     "Absorption":
         "Absorption",
+    "Active Slot":
+        "Aktiver Slot",
     "Adapt White":
         "Weiß anpassen",
     "Add Asset Library":
@@ -67,12 +73,12 @@ TEXTS = {
         "Gruppe von Facet & Film hinzufügen",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
-    "Add the materials and node groups to the Asset Browser, as a library in Preferences, File Paths":
-        "Fügt Materialien und Node-Gruppen dem Asset-Browser hinzu, als Bibliothek unter Einstellungen, Dateipfade",
+    "Add the materials and node groups to the Asset Browser, as a library of your preferences":
+        "Fügt die Materialien und Nodegruppen dem Asset-Browser hinzu, als Bibliothek in den Einstellungen",
+    "All Slots":
+        "Alle Slots",
     "All materials of Facet & Film in this file are in its working space":
         "Alle Materialien von Facet & Film in dieser Datei sind in deren Arbeitsfarbraum",
-    "Alloys":
-        "Legierungen",
     "Amount":
         "Menge",
     "An even sheen without marks":
@@ -87,6 +93,8 @@ TEXTS = {
         "Anwenden",
     "Apply Finish":
         "Oberfläche anwenden",
+    "Apply Material":
+        "Material anwenden",
     "Apply Saved Preset":
         "Gespeicherte Voreinstellung anwenden",
     "Apply a material of Facet & Film first: there is nothing to save":
@@ -97,8 +105,6 @@ TEXTS = {
         "Wie daneben veröffentlicht",
     "As smooth or rough as the preset says":
         "So glatt oder rau, wie die Voreinstellung sagt",
-    "Asset Library":
-        "Asset-Bibliothek",
     "At 0°":
         "Bei 0°",
     "At {place!r}: a bracket has no other; films that repeat are written '(TiO2 58 nm / SiO2 94 nm)x8'.":
@@ -125,8 +131,9 @@ TEXTS = {
         "Azimut",
     "Bake Spectral Preset":
         "Spektrale Voreinstellung backen",
-    "Bake a material into the active material slot of the active object, and put it on the other selected ones":
-        "Backt ein Material in den aktiven Materialslot des aktiven Objekts und gibt es den anderen ausgewählten",
+    "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
+        "Backt ein Material des Katalogs oder einen Datensatz in dem hier gewählten Licht und gibt es den gewählten "
+        "Objekten",
     "Bake a measured material first: there is nothing to bake again":
         "Erst ein gemessenes Material backen: Es gibt nichts neu zu backen",
     "Bake a measured material first: there is nothing to export":
@@ -182,10 +189,16 @@ TEXTS = {
         "Prüfen",
     "Check Against a Measurement":
         "Mit einer Messung prüfen",
+    "Choose a Material":
+        "Material auswählen",
     "Choose a file: here stands what it is read as":
         "Eine Datei wählen: Hier steht, als was sie gelesen wird",
+    "Choose a material by its picture, above":
+        "Oben ein Material nach seinem Bild auswählen",
     "Citation":
         "Quelle",
+    "Clean and fast, on every device and in EEVEE: the one to take first":
+        "Rauscharm und schnell, auf jedem Gerät und in EEVEE: die erste Wahl",
     "Clear Dispersive":
         "Klar, mit Dispersion",
     "Clear Standard":
@@ -212,8 +225,6 @@ TEXTS = {
         "Cook–Torrance schnell",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
-    "Crystals and Gems":
-        "Kristalle und Edelsteine",
     "Curve":
         "Kurve",
     "Cut every channel off at 0 and 1":
@@ -254,6 +265,12 @@ TEXTS = {
         "Rendert dieses Blender die veröffentlichten Formeln? Hier lässt es sich prüfen:",
     "Drained":
         "Abgelaufen",
+    "Drop Material":
+        "Material ablegen",
+    "Drop on {:s}   (Esc stops)":
+        "Auf {:s} ablegen   (Esc bricht ab)",
+    "Drop this material on an object: it goes into the slot of the face under the mouse":
+        "Legt dieses Material auf einem Objekt ab: Es kommt in den Slot der Fläche unter der Maus",
     "Dull and tarnished, rubbed bright at the edges":
         "Matt und angelaufen, an den Kanten blank gerieben",
     "Edge Roughness":
@@ -264,6 +281,8 @@ TEXTS = {
         "Breite der Kanten",
     "Edges rubbed bright, for Roughness and Tint":
         "Blank geriebene Kanten, für Rauheit und Tönung",
+    "Entries in the Object menu and in the context menus of objects, faces and material slots":
+        "Einträge im Objekt-Menü und in den Kontextmenüs von Objekten, Flächen und Materialslots",
     "Every parameter":
         "Alle Parameter",
     "Every wavelength refracted by its own index, for rainbows in gems and prisms; noisier, and EEVEE shows it without them":
@@ -272,8 +291,6 @@ TEXTS = {
         "Alles in dieser Datei ist von dieser Version",
     "Everything that was baked":
         "Alles, was gebacken wurde",
-    "Exact":
-        "Exakt",
     "Exponent R":
         "Exponent R",
     "Exponent T":
@@ -290,10 +307,8 @@ TEXTS = {
         "F82-Tönung",
     "F82 tint":
         "F82-Tönung",
-    "Fast":
-        "Schnell",
-    "Fast; Dispersive for diamond, lead crystal and what else is known by its rainbow":
-        "Schnell; Dispersiv bei Diamant, Bleikristall und was sonst durch seinen Regenbogen bekannt ist",
+    "Facet & Film Material...":
+        "Facet & Film: Material ...",
     "File":
         "Datei",
     "File of a measured BRDF":
@@ -314,6 +329,8 @@ TEXTS = {
         "Film Anlauffarbe",
     "Film Thickness":
         "Filmdicke",
+    "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
+        "Findet ein Material nach Namen, Formel oder jedem anderen Namen und gibt es den gewählten Objekten",
     "Fine scratches, for Roughness and Normal":
         "Feine Kratzer, für Rauheit und Normale",
     "Fingerprints":
@@ -322,6 +339,8 @@ TEXTS = {
         "Fingerabdrücke und Wischspuren, für die Rauheit",
     "Finish":
         "Oberfläche",
+    "Finish: {:s}":
+        "Oberfläche: {:s}",
     "First Thickness":
         "Erste Dicke",
     "Fit":
@@ -352,8 +371,6 @@ TEXTS = {
         "Gibt diesem Material eine andere Oberfläche; woraus es besteht, bleibt",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
-    "Glasses":
-        "Gläser",
     "Gradient":
         "Verlauf",
     "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
@@ -364,6 +381,8 @@ TEXTS = {
         "Gruppe",
     "Hammered":
         "Gehämmert",
+    "Headers":
+        "Kopfleisten",
     "How many rms slopes the facets have":
         "Wie viele mittlere Steigungen die Facetten haben",
     "How the facets' slopes are distributed":
@@ -380,18 +399,20 @@ TEXTS = {
         "Bildzeilen",
     "Import Measurement":
         "Messung importieren",
-    "In the Asset Browser as Facet & Film":
-        "Im Asset-Browser als Facet & Film",
+    "In Place":
+        "An Ort und Stelle",
     "Inside, unchanged":
         "Innerhalb, unverändert",
-    "Iridescent":
-        "Schillernd",
+    "Into a slot of its own; in Edit Mode for the selected faces":
+        "In einen eigenen Slot; im Bearbeitungsmodus für die gewählten Flächen",
+    "Into every material slot of every selected object":
+        "In jeden Materialslot jedes gewählten Objekts",
+    "Into the active material slot of every selected object":
+        "In den aktiven Materialslot jedes gewählten Objekts",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
     "Keep it among your own presets, with what it was fitted from":
         "Es unter den eigenen Voreinstellungen behalten, mit seiner Herkunft",
-    "Kind":
-        "Art",
     "Large fields of view":
         "Große Sehfelder",
     "Last Thickness":
@@ -400,8 +421,6 @@ TEXTS = {
         "Schichtdicke",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "Lage {place} eines Stapels braucht bei jeder Wellenlänge n über 0 und k von mindestens 0.",
-    "Layered Films":
-        "Geschichtete Filme",
     "Layered RGB Exact":
         "Layered RGB exakt",
     "Layered RGB Fast":
@@ -424,8 +443,6 @@ TEXTS = {
         "Licht, in dem das Material seine Farbe hat; D65 ist Tageslicht und in Blender weiß",
     "Linear Rec.709, Blender's default":
         "Lineares Rec.709, Blenders Voreinstellung",
-    "Liquids":
-        "Flüssigkeiten",
     "Lower Normal":
         "Untere Normale",
     "Make Local":
@@ -435,6 +452,8 @@ TEXTS = {
         "Ein Material aus einem Principled BSDF machen, das diesem am nächsten kommt, und an seine Stelle "
         "setzen: zum Backen von Texturen, für andere Engines und Exporter. Das Material selbst bleibt in der "
         "Datei",
+    "Make the active material itself over, wherever it is used":
+        "Ändert das aktive Material selbst, wo immer es benutzt wird",
     "Make the active material slot the material that you saved":
         "Macht den aktiven Materialslot zum gespeicherten Material",
     "Make this linked or overridden material the file's own: changes in its library no longer arrive":
@@ -444,30 +463,30 @@ TEXTS = {
         "An Arbeitsfarbraum anpassen",
     "Material":
         "Material",
+    "Material Shelf":
+        "Materialleiste",
     "Material: a preset's name, or a dataset such as main/Cu/Johnson. Type to search":
         "Material: Name einer Voreinstellung, oder ein Datensatz wie main/Cu/Johnson. Tippen sucht",
     "Matt, with an even, fine grain":
         "Matt, mit gleichmäßigem, feinem Korn",
     "Measured Material":
         "Gemessenes Material",
-    "Measured Surfaces":
-        "Gemessene Oberflächen",
     "Measurement":
         "Messung",
-    "Metals":
-        "Metalle",
+    "Menus":
+        "Menüs",
     "Model":
         "Modell",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
-    "Native closures from an OSL script: needs Open Shading Language switched on":
-        "Eingebaute Shader aus einem OSL-Skript: Open Shading Language muss eingeschaltet sein",
-    "Native closures: light-sampled, on every device, and in EEVEE":
-        "Eingebaute Shader: mit Lichtabtastung, auf jedem Gerät und in EEVEE",
     "Nearest":
         "Nächste",
+    "New Materials":
+        "Neue Materialien",
     "New Name":
         "Neuer Name",
+    "New Slot":
+        "Neuer Slot",
     "Nodes updated: {:d}":
         "Aktualisierte Nodes: {:d}",
     "Noise Detail":
@@ -476,8 +495,8 @@ TEXTS = {
         "Rauschgröße",
     "Normal":
         "Normale",
-    "OSL Fast":
-        "OSL schnell",
+    "OSL Standard":
+        "OSL Standard",
     "OSL needs the CPU or OptiX: {:s} is shown in its place on this device":
         "OSL braucht die CPU oder OptiX: auf diesem Gerät wird stattdessen {:s} gezeigt",
     "Observer":
@@ -491,18 +510,17 @@ TEXTS = {
         "Open Shading Language ist aus: {:s} wird stattdessen gezeigt, bis es in den Render-Eigenschaften eingeschaltet wird",
     "Open a material in the Shader Editor first":
         "Erst ein Material im Shader-Editor öffnen",
+    "Open all materials as pictures: each click puts one on the selected objects, until Esc. The first time this adds the library Facet & Film to your preferences":
+        "Öffnet alle Materialien als Bilder: Jeder Klick gibt eines den gewählten Objekten, bis Esc. Beim ersten Mal "
+        "kommt die Bibliothek Facet & Film in die Einstellungen",
     "Open an Asset Browser and choose the library {:s}: drag a material onto an object":
         "Einen Asset-Browser öffnen und die Bibliothek {:s} wählen: ein Material auf ein Objekt ziehen",
-    "Other Conductors":
-        "Andere Leiter",
     "Outside":
         "Außen",
     "Outside IOR":
         "Brechzahl außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
-    "Oxides":
-        "Oxide",
     "Parallel streaks, and highlights drawn out across them":
         "Parallele Striche, und Glanzlichter quer zu ihnen gezogen",
     "Parallel streaks, for Roughness, Normal and Tangent":
@@ -515,12 +533,8 @@ TEXTS = {
         "Löcher",
     "Polished":
         "Poliert",
-    "Polymers":
-        "Polymere",
     "Preset":
         "Voreinstellung",
-    "Preset by its picture; the filter beside the name chooses the kind":
-        "Voreinstellung nach ihrem Bild; der Filter neben dem Namen wählt die Art",
     "Preset or dataset":
         "Voreinstellung oder Datensatz",
     "Preset or dataset to compare":
@@ -535,6 +549,9 @@ TEXTS = {
         "Principled-Zwilling",
     "Published Scale":
         "Veröffentlichte Skala",
+    "Put this material on the selected objects. What you made by hand stays: the slot gets a new material":
+        "Gibt den gewählten Objekten dieses Material. Was von Hand gemacht ist, bleibt: Der Slot bekommt ein neues "
+        "Material",
     "Randomness":
         "Zufälligkeit",
     "Re-bake":
@@ -543,8 +560,12 @@ TEXTS = {
         "Alle Materialien neu backen",
     "Read As":
         "Gelesen als",
+    "Read the Documents":
+        "Dokumente lesen",
     "Realisation":
         "Umsetzung",
+    "Reference":
+        "Referenz",
     "Reflectance at normal incidence":
         "Reflexionsgrad bei senkrechtem Einfall",
     "Reflectance at normal incidence and F82 tint for red, green and blue":
@@ -565,8 +586,8 @@ TEXTS = {
         "Rendert jedes Modell und jede Umsetzung in einem zweiten Blender, vergleicht die Pixel mit den veröffentlichten Formeln und öffnet den Bericht. Dauert eine bis fünf Minuten; Esc bricht ab",
     "Render this material by another realisation; every value and link that you set stays":
         "Rendert dieses Material mit einer anderen Umsetzung; alle Werte und Verbindungen bleiben",
-    "Renders by {:s}":
-        "Rendert mit: {:s}",
+    "Renders by":
+        "Rendert mit",
     "Rotation":
         "Drehung",
     "Rough, 1982":
@@ -601,6 +622,10 @@ TEXTS = {
         "Rauheit der Kratzer",
     "Scratched":
         "Zerkratzt",
+    "Search":
+        "Suchen",
+    "Search Facet & Film Materials":
+        "Facet & Film: Materialien suchen",
     "See-through":
         "Durchsichtig",
     "See-through Shadows":
@@ -609,10 +634,10 @@ TEXTS = {
         "Erst einen Gruppen-Node von Facet & Film auswählen",
     "Select a group of Facet & Film, or add one: Add, Facet & Film":
         "Eine Gruppe von Facet & Film auswählen oder hinzufügen: Hinzufügen, Facet & Film",
-    "Select an object first: the preset is baked into its active material slot":
-        "Erst ein Objekt auswählen: Die Voreinstellung wird in dessen aktiven Materialslot gebacken",
-    "Semiconductors":
-        "Halbleiter",
+    "Select an object first: the material goes into its active material slot":
+        "Zuerst ein Objekt auswählen: Das Material kommt in dessen aktiven Materialslot",
+    "Selected Node":
+        "Gewählter Node",
     "Several slopes become one of the same rms.":
         "Aus mehreren Steigungen wird eine mit demselben Effektivwert.",
     "Shadows and caustics are the other program's own.":
@@ -621,10 +646,16 @@ TEXTS = {
         "Flache Dellen nebeneinander, jede mit eigenem Glanzlicht",
     "Shallow dimples, for Roughness and Normal":
         "Flache Dellen, für Rauheit und Normale",
+    "Shelf":
+        "Leiste",
     "Show F0, F82 and how many CIEDE2000 typed-in values or a material lie from a measured material":
         "Zeigt F0, F82 und um wie viel CIEDE2000 eingegebene Werte oder ein Material von einem gemessenen abweichen",
     "Show all measurements of the same material side by side: published values differ from lab to lab":
         "Zeigt alle Messungen desselben Materials nebeneinander: Veröffentlichte Werte unterscheiden sich von Labor zu Labor",
+    "Show or hide a shelf of all materials along the 3D Viewport, to click on or to drag onto objects":
+        "Zeigt oder verbirgt eine Leiste aller Materialien an der 3D-Ansicht, zum Anklicken oder Ziehen auf Objekte",
+    "Sidebar":
+        "Seitenleiste",
     "Slope Ratio 2":
         "Steigungsverhältnis 2",
     "Slope Ratio 3":
@@ -653,6 +684,12 @@ TEXTS = {
         "Schichtstapel im Winkel jeder Facette, allein mit Nodes abgetastet, auf jedem Gerät",
     "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
         "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
+    "Standard":
+        "Standard",
+    "Standard as an OSL script: needs Open Shading Language switched on":
+        "Standard als OSL-Skript: Open Shading Language muss eingeschaltet sein",
+    "Standard; Dispersive for diamond, lead crystal and what else is known by its rainbow":
+        "Standard; Dispersiv bei Diamant, Bleikristall und was sonst durch seinen Regenbogen bekannt ist",
     "Stopped: no material was changed":
         "Abgebrochen: Kein Material wurde geändert",
     "Stopped: nothing was fitted":
@@ -661,14 +698,12 @@ TEXTS = {
         "Striche in Kreisen, wie von der Drehbank oder auf einem Topfboden",
     "Streaks in circles, for Roughness, Normal and Tangent":
         "Striche in Kreisen, für Rauheit, Normale und Tangente",
-    "Sulphides":
-        "Sulfide",
     "Switch Realisation":
         "Umsetzung wechseln",
     "Table":
         "Tabelle",
-    "Take the library off the Asset Browser again; what was dragged from it stays":
-        "Nimmt die Bibliothek wieder aus dem Asset-Browser; was daraus gezogen wurde, bleibt",
+    "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
+        "Nimmt die Bibliothek wieder aus dem Asset-Browser und mit ihr die Bilder zum Auswählen; Materialien bleiben",
     "Tangent":
         "Tangente",
     "Tarnish":
@@ -679,8 +714,8 @@ TEXTS = {
         "Textur",
     "Texture Share":
         "Texturanteil",
-    "The Papers' Figures":
-        "Abbildungen der Veröffentlichungen",
+    "The asset library {:s} was added to your preferences; the extension's own take it out again":
+        "Die Asset-Bibliothek {:s} steht jetzt in den Einstellungen; die der Erweiterung nehmen sie wieder heraus",
     "The coarse, dull skin of a sand mould, with pits":
         "Die grobe, matte Haut einer Sandform, mit Löchern",
     "The colour inside that looks most alike, by CIEDE2000":
@@ -689,10 +724,10 @@ TEXTS = {
         "Die unter System, Cycles-Rendergeräte eingeschalteten Geräte",
     "The facets' distribution becomes GGX, whose highlights have wider tails.":
         "Aus der Verteilung der Facetten wird GGX, deren Glanzlichter breiter auslaufen.",
-    "The film's colors over the angle become two: face on and at 82°.":
-        "Aus den Farben des Films über den Winkel werden zwei: von vorn und bei 82°.",
     "The file {file!r} cannot be read.":
         "Die Datei {file!r} lässt sich nicht lesen.",
+    "The film's colors over the angle become two: face on and at 82°.":
+        "Aus den Farben des Films über den Winkel werden zwei: von vorn und bei 82°.",
     "The films come to {optical:.0f} nm of n times thickness, and interference is calculated to {most:.0f}; "
     "make them thinner, or what is thick the layer below.":
         "Die Schichten haben zusammen {optical:.0f} nm aus n mal Dicke, und Interferenz wird bis {most:.0f} "
@@ -709,12 +744,12 @@ TEXTS = {
         "Die Formel von Granier und Heidrich 2003 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
-    "The library is in Preferences, File Paths already":
-        "Die Bibliothek steht schon unter Einstellungen, Dateipfade",
+    "The library is in your preferences already":
+        "Die Bibliothek steht schon in den Einstellungen",
     "The library is not in the preferences":
         "Die Bibliothek steht nicht in den Einstellungen",
-    "The library {:s} is no longer in the preferences":
-        "Die Bibliothek {:s} steht nicht mehr in den Einstellungen",
+    "The library {:s} is no longer shown":
+        "Die Bibliothek {:s} wird nicht mehr gezeigt",
     "The measured points: wavelength_nm, n, k":
         "Die gemessenen Punkte: wavelength_nm, n, k",
     "The medium outside is a number from 1 to 4 or a clear material, such as 1.33 or 'water', not {value!r}.":
@@ -727,10 +762,12 @@ TEXTS = {
         "Die Voreinstellung {file!r} lässt sich nicht lesen.",
     "The processor":
         "Der Prozessor",
-    "The published formula itself as an OSL script: needs Open Shading Language switched on in Render properties, on the CPU or OptiX; EEVEE shows Fast":
-        "Die veröffentlichte Formel selbst als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Schnell",
-    "The published formula itself, sampled with nodes alone, on every device; EEVEE shows Fast":
-        "Die veröffentlichte Formel selbst, allein mit Nodes abgetastet, auf jedem Gerät; EEVEE zeigt Schnell",
+    "The published formula as an OSL script: needs Open Shading Language switched on in the Render properties, on the CPU or OptiX; EEVEE shows Standard":
+        "Die veröffentlichte Formel als OSL-Skript: Open Shading Language muss in den Render-Eigenschaften "
+        "eingeschaltet sein, auf CPU oder OptiX; EEVEE zeigt Standard",
+    "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
+        "Die veröffentlichte Formel selbst, auf jedem Gerät: langsamer und mit mehr Rauschen, zum Vergleich; EEVEE "
+        "zeigt Standard",
     "The rough finish of the paper's copper vase":
         "Die raue Oberfläche der Kupfervase aus der Veröffentlichung",
     "The same with the colours of the rainbow, each refracted by its own index":
@@ -745,6 +782,8 @@ TEXTS = {
         "Das zweite Blender endete mit Status {:d}: {:s}",
     "The shader {shader} does not compile: {why}":
         "Der Shader {shader} lässt sich nicht übersetzen: {why}",
+    "The shelf stands in a 3D Viewport in Object Mode":
+        "Die Leiste steht in einer 3D-Ansicht im Objektmodus",
     "The simplest of the others of which no other comes clearly closer":
         "Die einfachste der übrigen, der keine andere deutlich näher kommt",
     "The skin of a sand mould, for Roughness and Normal":
@@ -759,6 +798,8 @@ TEXTS = {
         "Die Prüfung wurde abgebrochen; es gibt keinen Bericht",
     "There is a preset called {:s} already":
         "Es gibt schon eine Voreinstellung namens {:s}",
+    "There is no material of Facet & Film called {name!r}.":
+        "Es gibt kein Material von Facet & Film namens {name!r}.",
     "Thickness":
         "Dicke",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -771,12 +812,12 @@ TEXTS = {
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
     "Thin Walled":
         "Dünnwandig",
-    "This Blender is built without OSL: use the realisation Exact or Fast, which render the same material":
-        "Dieses Blender ist ohne OSL gebaut: die Realisierung Exakt oder Schnell nehmen, die dasselbe Material rendern",
-    "This Blender lacks its module oslquery, which OSL scripts need: use the realisation Exact or Fast":
-        "Diesem Blender fehlt das Modul oslquery, das OSL-Skripte brauchen: die Realisierung Exakt oder Schnell nehmen",
-    "This engine renders Fast in its place: for this realisation choose Cycles in the Render properties":
-        "Diese Engine rendert stattdessen Schnell: Für diese Umsetzung in den Render-Eigenschaften Cycles wählen",
+    "This Blender is built without OSL: take Reference or Standard, which render the same material":
+        "Dieses Blender ist ohne OSL gebaut: Referenz oder Standard nehmen, die dasselbe Material rendern",
+    "This Blender lacks its module oslquery, which OSL scripts need: take Reference or Standard":
+        "Diesem Blender fehlt sein Modul oslquery, das OSL-Skripte brauchen: Referenz oder Standard nehmen",
+    "This engine renders Standard in its place: for this realisation choose Cycles in the Render properties":
+        "Diese Engine rendert stattdessen Standard: Für diese Umsetzung Cycles in den Render-Eigenschaften wählen",
     "This file has no material with a measurement: bake a preset first":
         "Diese Datei hat kein Material mit einer Messung: Erst eine Voreinstellung backen",
     "This file is no preset of Facet & Film.":
@@ -789,6 +830,8 @@ TEXTS = {
         "Zeit",
     "Tint":
         "Tönung",
+    "To":
+        "Nach",
     "Towards grey of the same luminance, until inside: the 1982 paper's way":
         "Zum Grau gleicher Leuchtdichte hin, bis innerhalb: der Weg der Veröffentlichung von 1982",
     "Under this OpenColorIO configuration pixels do not come back from an OpenEXR file as they were "
@@ -854,10 +897,14 @@ TEXTS = {
         "Was geschrieben wird",
     "What was done to the surface":
         "Wie die Oberfläche bearbeitet wurde",
+    "Where the material goes":
+        "Wohin das Material kommt",
+    "Where to Find It":
+        "Wo es zu finden ist",
     "Which group to add":
         "Welche Gruppe hinzugefügt wird",
-    "Which presets to show pictures of":
-        "Von welchen Voreinstellungen Bilder gezeigt werden",
+    "Which material to apply":
+        "Welches Material angewandt wird",
     "Width":
         "Breite",
     "Wipe Marks":
@@ -1014,6 +1061,8 @@ TEXTS = {
         "Leuchtstofflampe, Weiß, 3450 K",
     "{:d} materials baked again":
         "{:d} Materialien neu gebacken",
+    "{:d} objects":
+        "{:d} Objekte",
     "{:d} used, {:d} left out":
         "{:d} verwendet, {:d} ausgelassen",
     "{:s} applied":
@@ -1026,6 +1075,8 @@ TEXTS = {
         "{:s} ist verknüpft: in {:s} aktualisieren",
     "{:s} is the file's own now":
         "{:s} gehört jetzt der Datei",
+    "{:s} on {:s}":
+        "{:s} auf {:s}",
     "{:s} renders by {:s}":
         "{:s} rendert mit: {:s}",
     "{:s} takes no materials: select a mesh, curve, surface, text or volume":

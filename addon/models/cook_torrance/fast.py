@@ -2,7 +2,9 @@
 
 s * sum_j w_j Metallic(roughness sqrt(m_j)) + d * Diffuse is the 1982 model with
 Smith's G in place of the V-cavity G, since the Beckmann closure of roughness
-sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.
+sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.  Roughness and
+weight of each closure follow N.V so that it comes next to the V-cavity's:
+see addon.models.cook_torrance.v_cavity_lobe.
 
 Blender 4.5's conductor Fresnel is far off where k is 0.  For dielectrics there
 the group F82 has the same sockets; F0 and F82 tint are worked out from n and k,
@@ -15,6 +17,7 @@ from ...reflectance.slopes import along_across, elliptic_gaussian_c
 from ..parameters import add_inputs
 from .gaussian_lobes import gaussian_lobes
 from .parameters import TABLE, slope_operands
+from .v_cavity_lobe import SeenFrom, v_cavity_lobe
 
 __all__ = ["build", "build_f82"]
 
@@ -44,10 +47,11 @@ def _build(builder, fresnel_of):
         tangent = where(less(0.0, sockets.anisotropy), builder.tangent(sockets.tangent), (1.0, 0.0, 0.0))
     shared = {**fresnel, "Normal": normal, "Tangent": tangent, "Anisotropy": sockets.anisotropy,
               "Rotation": sockets.rotation}
+    view = SeenFrom(normal, builder.incoming(), tangent, sockets.rotation, sockets.anisotropy)
     lobes = []
     for j, (m, w) in enumerate(slope_operands(sockets), 1):
         with builder.frame(f"Slope {j}"):
-            lobes += _slope(builder, sockets, m, sockets.specular * w, shared, fresnel_type)
+            lobes += _slope(builder, sockets, m, sockets.specular * w, view, shared, fresnel_type)
     with builder.frame("R = s Rs + d Rd"):
         specular = _scaled(builder, builder.add_shaders(*lobes), sockets)
         diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.tint * sockets.diffuse, "Normal": normal})
@@ -55,21 +59,22 @@ def _build(builder, fresnel_of):
     builder.output("BSDF", total)
 
 
-def _slope(builder, sockets, m, share, shared, fresnel_type):
+def _slope(builder, sockets, m, share, view, shared, fresnel_type):
     """The lobes of one rms slope: one for Beckmann's D, three for the Gaussian."""
+    widening, weight = v_cavity_lobe(view.sine, view.slope(m))
     lobes = [(share * (1.0 - sockets.gaussian), m)]
     c = elliptic_gaussian_c(*along_across(m, sockets.anisotropy))
     printed = sockets.gaussian_c / c  # in the published scale the printed c takes that one's place
     gaussian = share * (sockets.gaussian * (1.0 + sockets.published * (printed - 1.0)))
     lobes += [(gaussian * part, slope) for part, slope in gaussian_lobes(m)]
-    return [_beckmann(builder, part, slope, shared, fresnel_type) for part, slope in lobes]
+    return [_beckmann(builder, part * weight, sqrt(slope) * widening, shared, fresnel_type) for part, slope in lobes]
 
 
-def _beckmann(builder, share, m, shared, fresnel_type):
-    """share * F D G / (4 (N.L)(N.V)), Beckmann D of rms slope m, Smith G."""
-    metallic = builder.node("ShaderNodeBsdfMetallic", {**shared, "Roughness": sqrt(m)},
+def _beckmann(builder, share, roughness, shared, fresnel_type):
+    """share * F D G / (4 (N.L)(N.V)), Beckmann D of this roughness, Smith G."""
+    metallic = builder.node("ShaderNodeBsdfMetallic", {**shared, "Roughness": roughness},
                             distribution="BECKMANN", fresnel_type=fresnel_type)
-    return builder.scale_shader(share, metallic)
+    return builder.scale_shader_twofold(share, metallic)
 
 
 def _scaled(builder, specular, sockets):

@@ -19,10 +19,10 @@ SAME = 1e-4
 def rms_slope(roughness):
     """m = roughness², as Blender's closures have it, and never quite 0.
 
-    >>> round(rms_slope(0.3), 6), rms_slope(0.0)
-    (0.09, 0.001)
+    >>> rms_slope(0.3), rms_slope(0.2 ** 0.5), rms_slope(0.0)
+    (0.09, 0.2, 0.001)
     """
-    return max(roughness * roughness, SMALLEST_SLOPE)
+    return max(round(roughness * roughness, 12), SMALLEST_SLOPE)  # a root squared is the number again
 
 
 def _shown_slope(roughness):
