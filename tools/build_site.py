@@ -16,8 +16,6 @@ import tempfile
 import unicodedata
 from pathlib import Path
 
-from jinja2 import Environment, FileSystemLoader
-
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
@@ -47,6 +45,7 @@ class SiteError(Exception):
 
 def templates():
     """The templates of tools/site, which escape what they are given."""
+    from jinja2 import Environment, FileSystemLoader  # of the site's environment, which is not Blender's
     return Environment(loader=FileSystemLoader(SITE), autoescape=True)
 
 

@@ -96,12 +96,11 @@ def shadow(realisation, rendered, parameters):
 def shadow_of_a_ball(realisation, rendered, parameters):
     """A floor close below a ball, seen from between them; what true paths give is rendered, too."""
     found = []
-    for see_through in (rendered.get("see_through", 1.0), 0.0):
+    for shown in (rendered, {**parameters, "see_through": 0.0}):
         scene = _scene(samples=1024, resolution=8, extent=1.6)
         scene.camera.location.z = -1.05
         scenes.set_world(scene, 1.0)
-        scenes.add_sphere(api.create_material(MODEL, realisation=realisation, **{
-            **rendered, "see_through": see_through}), segments=64)
+        scenes.add_sphere(api.create_material(MODEL, realisation=realisation, **shown), segments=64)
         _floor(-1.2)
         found.append(scenes.render(scene).mean(axis=(0, 1)))
     return _largest(found[:1], found[1:], 0.02)

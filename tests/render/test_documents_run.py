@@ -10,8 +10,12 @@ import bpy
 import numpy as np
 import pytest
 
-from addon import api
-from addon.cli import main
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "unit"))
+
+from brdf_files import points_text  # noqa: E402
+
+from addon import api  # noqa: E402
+from addon.cli import main  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = {path.name: path.read_text(encoding="utf-8") for path in sorted((ROOT / "docs").glob("*.md"))}
@@ -69,6 +73,8 @@ def test_addon_command_runs(command, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "gold.csv").write_text(GOLD, encoding="utf-8")
     words = shlex.split(command.replace("TEXT", "copper").replace("FILE", "gold.csv"))[3:]
+    if words[0] == "fit":
+        (tmp_path / "gold.csv").write_text(points_text(lambda v, _l: np.full((len(v), 3), 0.1)), encoding="utf-8")
     assert main(words) == 0
     assert capsys.readouterr().out.strip()
 

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from addon.bake.srgb import bytes_of
 from demo_blend import figures, pictures
 from demo_blend.job import Job
 from demo_blend.side_by_side import compared
@@ -41,7 +42,7 @@ def test_one_blender_cannot_be_compared_with_another_that_is_not_there(tmp_path,
 def test_difference_is_stated_as_it_is():
     picture, words = compared(np.full((4, 4, 3), 0.5), np.full((4, 4, 3), 0.51))
     assert words == "rms 2.00 %\nmean +2.00 %"
-    assert (picture == pictures.encode(np.array(0.25))).all()
+    assert (picture == bytes_of(np.array(0.25))).all()
 
 
 def test_sizes_follow_the_scale(tmp_path):

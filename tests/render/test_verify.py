@@ -51,6 +51,7 @@ BROKEN = {
     ("clear", "slab"): {"absorption": (33.0, 132.0, 330.0)},
     ("clear", "thin wall"): {"ior": 1.7},
     ("clear", "see-through shadow"): {"ior": 1.7},
+    ("clear", "shadow of a ball"): {"tint": (0.9, 0.9, 0.9)},
     ("data", "fits"): {"worse_by": 5.0},
     ("data", "colours of copper"): {"preset": "main/Cu/McPeak"},
     ("data", "colours of gold"): {"preset": "gold_johnson"},

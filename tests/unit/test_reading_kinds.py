@@ -338,12 +338,12 @@ BIG = 78_000
 def test_the_slowest_of_8_mb(form, head, file):
     w = np.linspace(300.0, 900.0, BIG)
     text = head + "".join(form.format(*row) for row in zip(w, 1.5 + 0.0 * w, 0.1 + 0.0 * w))
-    start = time.perf_counter()
+    start = time.process_time()
     try:
         assert read_text(text[:7_999_990].rpartition("\n")[0], file).n[0] == 1.5
     except FacetFilmError:
         pass
-    assert time.perf_counter() - start < 2.0
+    assert time.process_time() - start < 2.0
 
 
 def test_the_page_of_what_we_read_is_that_of_the_tables():

@@ -36,7 +36,7 @@ layers = st.builds("{} {}{} nm".format, st.sampled_from(WORDS), st.integers(0, 3
                    st.sampled_from(["", "-400"]))
 
 
-@given(st.lists(layers, max_size=8), st.integers(1, 4), st.sampled_from(["", "water | "]))
+@given(st.lists(layers, max_size=5), st.integers(1, 3), st.sampled_from(["", "water | "]))
 def test_what_is_written_is_read_back_as_the_same(films, times, outside):
     text = outside + " / ".join([*films * times, "Si"])
     stack = parse(text, load)
