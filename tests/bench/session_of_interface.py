@@ -11,13 +11,14 @@ import sys
 import time
 from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import addon_utils  # noqa: E402  (a module of Blender's)
-from drawn import drawn, properties_editor  # noqa: E402  (no tests package here: the extension is the installed one)
+from drawn import Layout, drawn, properties_editor  # noqa: E402  (no tests package here: the extension is the installed one)
 
 MODULE = "bl_ext.user_default.facet_film"
 PRESETS = ("copper", "gold", "silver", "diamond", "vinyl", "main/Cu/Babar", "silver", "crown_glass")
@@ -46,13 +47,16 @@ def panels_drawn():
     panels = [cls for cls in registration.CLASSES
               if issubclass(cls, bpy.types.Panel) and getattr(cls, "bl_context", "") == "material"]
 
+    card = import_module(f"{MODULE}.addon.blender.panels.card")
+
     def all_panels():
+        card.draw_first(SimpleNamespace(layout=Layout()), properties_editor())
         return sum(drawn(panel, properties_editor()) is not None for panel in panels)
     return all_panels
 
 
 def draw():
-    """Drawing: first without a material of ours, later on one."""
+    """Drawing, with the card above the slots: first without a material of ours, later on one."""
     all_panels = panels_drawn()
     first = timed(all_panels)
     bpy.ops.facet_film.bake_preset(preset="copper")
@@ -61,11 +65,11 @@ def draw():
 
 
 def preset():
-    """Presets put on the cube from the panel, one after the other; of the later ones the slowest."""
+    """Presets put on the cube as by clicks on their pictures, one after the other; of the later ones the slowest."""
     panels_drawn()()  # there is nothing to click before
     # As a window does then, idle before the first click.
     import_module(f"{MODULE}.addon.blender.panels.load_ahead").load()
-    first, *later = (timed(lambda: bpy.ops.facet_film.bake_preset(preset=name)) for name in PRESETS)
+    first, *later = (timed(lambda: bpy.ops.facet_film.apply(preset=name)) for name in PRESETS)
     return {"first": first, "later": max(later)}
 
 

@@ -177,10 +177,10 @@ def test_the_shelf_takes_our_materials_alone():
     from types import SimpleNamespace
 
     from addon.blender.assets import library
-    ours = SimpleNamespace(id_type="MATERIAL", full_library_path=str(library.FILE))
+    ours = SimpleNamespace(id_type="MATERIAL", full_path=f"{library.FILE}/Material/Gold")
     assert FACET_FILM_AST_picker.asset_poll(ours)
     for kind, file in (("NODETREE", str(library.FILE)), ("MATERIAL", "")):
-        assert not FACET_FILM_AST_picker.asset_poll(SimpleNamespace(id_type=kind, full_library_path=file))
+        assert not FACET_FILM_AST_picker.asset_poll(SimpleNamespace(id_type=kind, full_path=file))
 
 
 def test_a_name_that_is_no_materials_is_told(objects):

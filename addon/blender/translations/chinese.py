@@ -475,8 +475,8 @@ TEXTS = {
         "请指定已保存的预设和至少含一个字母的新名称",
     "Nearest":
         "最接近",
-    "New Materials":
-        "新材质",
+    "New Materials Render by":
+        "新材质的渲染方式",
     "New Name":
         "新名称",
     "New Slot":
@@ -783,6 +783,8 @@ TEXTS = {
         "{word!r} 的厚度不得小于 0 nm，且下限在前；现为 {low:g} 到 {high:g} nm。",
     "The verification was stopped; there is no report":
         "验证已停止；没有报告",
+    "Their Finish":
+        "其表面处理",
     "There is a preset called {:s} already":
         "已有名为 {:s} 的预设",
     "There is no material of Facet & Film called {name!r}.":

@@ -485,8 +485,8 @@ TEXTS = {
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Nearest":
         "Nächste",
-    "New Materials":
-        "Neue Materialien",
+    "New Materials Render by":
+        "Neue Materialien rendern mit",
     "New Name":
         "Neuer Name",
     "New Slot":
@@ -800,6 +800,8 @@ TEXTS = {
         "Die Dicke von {word!r} muss mindestens 0 nm sein, das untere Ende zuerst; sie ist {low:g} bis {high:g} nm.",
     "The verification was stopped; there is no report":
         "Die Prüfung wurde abgebrochen; es gibt keinen Bericht",
+    "Their Finish":
+        "Ihre Oberfläche",
     "There is a preset called {:s} already":
         "Es gibt schon eine Voreinstellung namens {:s}",
     "There is no material of Facet & Film called {name!r}.":

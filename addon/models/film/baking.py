@@ -1,5 +1,7 @@
 """From a stack in words to a film's parameters and what is to be said of it, and what it looks like at a glance."""
 
+import functools
+
 import numpy as np
 
 from ...bake.film_errors import realisation_errors
@@ -36,10 +38,16 @@ def bake_for(resolved, viewing):
 def facts_of(preset, parameters, table):
     """All that was baked, ready for JSON."""
     m = float(slope(parameters.roughness))
-    errors = {name: errors._asdict() for name, errors in realisation_errors(table, max(m, 0.01), COUNT).items()}
+    errors = {name: errors._asdict() for name, errors in _errors_of(table, max(m, 0.01)).items()}
     return {"name": preset.name, "title": preset.title, "kind": preset.kind,
             "note": " ".join(filter(None, (preset.note, preset.estimated))) or table.said(),
             **table.to_dict(), "slope": m, "realisations": errors}
+
+
+@functools.lru_cache(maxsize=16)
+def _errors_of(table, m):
+    """The realisations' errors of a table, which is the same object for the same stack while it is kept."""
+    return realisation_errors(table, m, COUNT)
 
 
 def look(parameters, place=None):
