@@ -34,7 +34,7 @@ STAMP = FOLDER / "stamp.json"
 CATALOGUE_FILE = FOLDER / "blender_assets.cats.txt"
 AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
-PREVIEW, LEVELS = 80, 63
+PREVIEW, LEVELS = 80, 47
 """Of an asset's preview: pixels across, more than a tile of the shelf has, and steps of a channel.  The pictures of all
 assets are most of the library; larger ones are in addon/thumbnails.
 """
@@ -119,7 +119,8 @@ def build(file):
     for group in groups.all_groups():
         if group.in_menu and not group.osl:
             tree = groups.node_group(group.identifier)
-            _as_asset(tree, pictures.get(f"group {group.identifier}"), GROUPS, group.summary + ".", ("Node Group", group.name))
+            _as_asset(tree, pictures.get(f"group {group.identifier}"), GROUPS, group.summary + ".",
+                      ("Node Group", group.name))
             assets.append(tree)
     ramp = api.create_fresnel_ramp("copper")
     note = "The Fresnel curve of copper over the angle of view, for any shader that takes a colour."
