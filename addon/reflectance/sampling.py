@@ -11,29 +11,31 @@ from ..operands import less, log, maximum, minimum, sqrt, where
 
 __all__ = ["narrow_slope", "wide_slope", "narrowed", "towards_flanks", "squared_tilt", "chosen"]
 
-MOST_ALONG = 0.8
-"""Largest slope along the rings, as a share of m."""
+WIDEST = 0.8
+"""Largest slope of a lobe about a facet, as a share of m: what is left is drawn."""
+LEAST_RANDOM = 1e-7
+"""Keeps logarithms from 0."""
 
 
 def narrow_slope(m, width):
-    """Slope a, across the rings about N, of the lobes about facets of rms slope m: 1.5 width·m/√(1 + 20 m²).
+    """Slope a, across the rings about N, of the lobes about facets of rms slope m: 2.25 width·m/√(1 + 55 m²).
 
     width  Sampling Width, [0, 1].  The kinks of the V-cavity G, which the lobes
-           blur, lie at fixed angles, so a stays below 0.34 width on rough surfaces.
+           blur, lie at fixed angles, so a stays below 0.31 width on rough surfaces, and below 0.8 m.
 
     >>> round(float(narrow_slope(0.2, 0.2)), 4), round(float(narrow_slope(0.6, 0.2)), 4)
-    (0.0447, 0.0629)
+    (0.0503, 0.0592)
     """
-    return 1.5 * width * m / sqrt(1.0 + 20.0 * (m * m))
+    return minimum(2.25 * width, WIDEST) * m / sqrt(1.0 + 55.0 * (m * m))
 
 
 def wide_slope(m, width):
-    """Largest slope of the same lobes along the rings about N, where D is constant: 1.5 width·m/√(1 + 4 m²).
+    """Largest slope of the same lobes along the rings about N, where D is constant: 2 width·m/√(1 + 8 m²).
 
     >>> round(float(wide_slope(0.2, 0.2)), 4), round(float(wide_slope(0.6, 0.2)), 4)
-    (0.0557, 0.1152)
+    (0.0696, 0.1218)
     """
-    return minimum(1.5 * width, MOST_ALONG) * m / sqrt(1.0 + 4.0 * (m * m))
+    return minimum(2.0 * width, WIDEST) * m / sqrt(1.0 + 8.0 * (m * m))
 
 
 def narrowed(m, a):
@@ -53,18 +55,21 @@ def narrowed(m, a):
 
 
 def towards_flanks(u, bias):
-    """A number drawn from [0, 1) with the density 1 + bias·(1 − 2x), and that density.
+    """A number x = u (1 − bias + bias u) in (0, 1), and one over its density: 1 − bias + 2 bias u.
 
     u     even in [0, 1)
     bias  [0, 1]: 0 leaves u as it is, 1 keeps away from x = 1, the middle of a lobe
 
-    >>> x, density = towards_flanks(0.5, 0.8)
-    >>> round(float(x), 4), round(float(density), 4)
-    (0.3246, 1.2806)
+    x is D over its peak.  Drawn evenly, the far flank of a lobe is hit once in
+    thousands of samples, and each hit is a speck; at bias 1 it is hit as often as
+    √x, and weighs √x.
+
+    >>> x, weight = towards_flanks(0.2, 1.0)
+    >>> round(float(x), 4), round(float(weight), 4)
+    (0.04, 0.4)
     """
-    b, twice = 1.0 + bias, 2.0 * u
-    root = sqrt(b * b - (2.0 * bias) * twice)
-    return twice / (b + root), root
+    u = maximum(u, LEAST_RANDOM)
+    return u * (bias * u + (1.0 - bias)), (2.0 * bias) * u + (1.0 - bias)
 
 
 def squared_tilt(x, m2):

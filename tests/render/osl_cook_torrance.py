@@ -67,7 +67,7 @@ def drawings(longest=3.0, count=160):
     along = single(np.where(np.arange(count) % 2 > 0, np.minimum(stretch, 1.0 / m), 1.0))
     a, wide = single(sampling.narrow_slope(m * along, every_third_exact) / along,
                      sampling.wide_slope(m * along, every_third_exact) / along)
-    return [n, about(n, cosine, azimuth), m, a, wide, single(0.5 * (a > 0.0)), gaussian,
+    return [n, about(n, cosine, azimuth), m, a, wide, single(1.0 * (a > 0.0)), gaussian,
             single(tangent_in_the_scripts(n)), along, single(1.0 / along), *numbers]
 
 
@@ -223,7 +223,7 @@ FORMULAS = {
     "narrow_slope(float, float)": (sampling.narrow_slope, grid(SLOPES, SHARES)),
     "wide_slope(float, float)": (sampling.wide_slope, grid(SLOPES, SHARES)),
     "towards_flanks(float, float, output float, output float)": (
-        sampling.towards_flanks, grid((0.0, 0.1, 0.5, 0.9, 0.99), (0.0, 0.5, 0.8))),
+        sampling.towards_flanks, grid((0.001, 0.1, 0.5, 0.9, 0.99), (0.0, 0.5, 1.0))),
     "tilted(float, float, float, int, output float, output float, output float, output float, output float, "
     "output float)": (tilted, grid((0.001, 0.1, 0.5, 1.2), (0.01, 0.15, 0.6, 1.4),
                                    (slopes.gaussian_c(M_OF_TILTED) * M_OF_TILTED ** 2,), UNIT)),

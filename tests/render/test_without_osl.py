@@ -61,10 +61,11 @@ def test_it_is_the_same_material_with_and_without(model):
 
 def test_a_script_is_told_once_and_knows_where_it_was_called():
     scene = probes.empty_scene(4, osl=False)
-    with pytest.warns(UserWarning, match="Exact is shown in its place until you switch it on") as told:
+    exact, fast = REALISATIONS["exact"].title, REALISATIONS["fast"].title
+    with pytest.warns(UserWarning, match=f"{exact} is shown in its place until you switch it on") as told:
         material = api.create_material(preset="copper", realisation="osl")
     assert [warning.filename for warning in told] == [__file__]
-    with pytest.warns(UserWarning, match="Fast is shown"):
+    with pytest.warns(UserWarning, match=f"{fast} is shown"):
         api.switch_realisation(material, "osl_fast")
     scene.render.engine = compat.eevee_engine()
     assert why_no_script_runs(scene, "osl")  # Cycles may be chosen afterwards

@@ -62,7 +62,7 @@ MODEL = Model(
         Group("film_fast", "Film Fast", 2, "fast.build",
               "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device",
               stand_in="film_eevee", pictured=True),
-        Group("film_exact", "Film Exact", 2, "exact.build",
+        Group("film_exact", "Film Exact", 3, "exact.build",
               "Stacks of films at the angle of each facet, sampled with nodes alone, on every device",
               stand_in="film_eevee", pictured=True),
         Group("film_eevee", "Film EEVEE", 2, "fast.build_eevee",
