@@ -86,14 +86,14 @@ def test_it_is_listed_and_found(lambert, capsys):
     assert main(["list", "--json"]) == 0
     assert {"name": "tinted_chalk", "model": "lambert"}.items() <= next(
         row for row in json.loads(capsys.readouterr().out) if row["name"] == "tinted_chalk").items()
-    assert main(["search", "blackboard"]) == 0
+    assert main(["search", "tinted chalk"]) == 0
     assert capsys.readouterr().out.startswith("tinted_chalk")
     assert main(["bake", "tinted_chalk"]) == 0
     assert "reflectance  0.9" in capsys.readouterr().out
 
 
 def test_the_panel_offers_it_and_shows_its_parameters(lambert):
-    assert picker.search("blackboard chalk") == [("tinted_chalk", "Tinted chalk")]
+    assert picker.search("tinted chalk") == [("tinted_chalk", "Tinted chalk")]
     assert ("tinted_chalk", "Tinted chalk · blackboard chalk") in [item[:2] for item in search_items.items()]
     target = bpy.data.objects.new("Target", bpy.data.meshes.new("Target"))
     bpy.context.scene.collection.objects.link(target)
