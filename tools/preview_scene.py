@@ -13,7 +13,7 @@ __all__ = ["SIZE", "new_scene", "render"]
 SIZE = 256
 """Of a preview in pixels."""
 
-SAMPLES, SAMPLES_OF_CLEAR, SAMPLES_OF_RAINBOWS = 8, 16, 48
+SAMPLES, SAMPLES_OF_CLEAR, SAMPLES_OF_RAINBOWS = 8, 16, 64
 BOUNCES, BOUNCES_OF_CLEAR = 4, 12
 PIXEL_LIMIT = 6.0
 """Radiance up to which light that has been reflected counts: caustics would be dots."""
@@ -62,6 +62,8 @@ def render(scene, piece, material, path, rainbows=False):
     scene.cycles.samples = SAMPLES_OF_RAINBOWS if rainbows else SAMPLES_OF_CLEAR if clear else SAMPLES
     scene.cycles.max_bounces = BOUNCES_OF_CLEAR if clear else BOUNCES
     scene.cycles.diffuse_bounces = 0 if clear else 1  # the floor shows no caustics, which would be dots
+    # What is seen through a clear surface is none of its own albedo and normals, which would be kept as noise.
+    scene.cycles.denoising_input_passes = "RGB" if clear else "RGB_ALBEDO_NORMAL"
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
 
