@@ -475,6 +475,10 @@ TEXTS = {
         "Messung",
     "Menus":
         "Menüs",
+    "Metals":
+        "Metalle",
+    "Minerals and Ceramics":
+        "Minerale und Keramik",
     "Model":
         "Modell",
     "Name a saved preset, and a new name with at least one letter":
