@@ -34,13 +34,13 @@ FOLDER = ROOT / "node_groups" / "assets"
 FILE = FOLDER / "facet_film_assets.blend"
 STAMP = FOLDER / "stamp.json"
 CATALOGUE_FILE = FOLDER / "blender_assets.cats.txt"
-LEVELS = 63
+LEVELS = 31
 """Steps of a channel in a preview: fewer than a screen has, as many as an eye sees in a small picture, and smaller."""
 AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
-PREVIEW = 96
-"""Pixels of an asset's preview, as many as an Asset Browser shows by default."""
-FRAME, LEVEL = 2 << 20, 19
+PREVIEW = 64
+"""Pixels of an asset's preview, as many as a tile of the picker shows."""
+FRAME, LEVEL = 4 << 20, 15
 """Of the compression: bytes of a piece, and how patient it is."""
 SKIPPED, SEEKABLE = 0x184D2A5E, 0x8F92EAB1
 """Numbers of Zstandard's format: of a frame that is no data, and of a table of frames."""
