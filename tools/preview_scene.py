@@ -15,7 +15,7 @@ SIZE = 256
 
 SAMPLES, SAMPLES_OF_CLEAR, SAMPLES_OF_RAINBOWS = 8, 16, 48
 BOUNCES, BOUNCES_OF_CLEAR = 4, 12
-QUALITY = 82
+QUALITY = 80
 """Of the WebP files: 5 kB each."""
 PIXEL_LIMIT = 6.0
 """Radiance up to which light that has been reflected counts: caustics would be dots."""
