@@ -10,9 +10,7 @@ for the exact conductor Fresnel; in Blender 4.5, which evaluates another, the ex
 """
 
 import argparse
-import struct
 import sys
-import tempfile
 import time
 import uuid
 from collections import Counter
@@ -26,7 +24,7 @@ from addon.catalogue import presets  # noqa: E402
 from addon.catalogue.categories import CATEGORIES  # noqa: E402
 from addon.catalogue.entries import THUMBNAILS, entries, thumbnail  # noqa: E402
 from addon.models import named  # noqa: E402
-from tools import stamps  # noqa: E402
+from tools import packed_blend, stamps  # noqa: E402
 
 __all__ = ["AUTHOR", "CATALOGUES", "FILE", "LICENCE", "build", "catalogue_text", "ensure", "held", "shown"]
 
@@ -34,16 +32,14 @@ FOLDER = ROOT / "node_groups" / "assets"
 FILE = FOLDER / "facet_film_assets.blend"
 STAMP = FOLDER / "stamp.json"
 CATALOGUE_FILE = FOLDER / "blender_assets.cats.txt"
-LEVELS = 31
-"""Steps of a channel in a preview: fewer than a screen has, as many as an eye sees in a small picture, and smaller."""
 AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
-PREVIEW = 64
-"""Pixels of an asset's preview, as many as a tile of the picker shows."""
-FRAME, LEVEL = 4 << 20, 15
-"""Of the compression: bytes of a piece, and how patient it is."""
-SKIPPED, SEEKABLE = 0x184D2A5E, 0x8F92EAB1
-"""Numbers of Zstandard's format: of a frame that is no data, and of a table of frames."""
+PREVIEW, LEVELS = 80, 63
+"""Of an asset's preview: pixels across, more than a tile of the shelf has, and steps of a channel.  The pictures of all
+assets are most of the library; larger ones are in addon/thumbnails.
+"""
+ALIKE, MOST = 0.05, 0.6
+"""How near to the usual pixel one counts as the same, and in what share of the pictures it has to, to be the floor."""
 GROUPS = "group"
 CATALOGUES = {**CATEGORIES, GROUPS: "Node Groups"}
 """What an asset is -> its catalogue."""
@@ -110,10 +106,12 @@ def build(file):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     assets = []
     everything, whole = shown(), set(held())
+    pictures = _previews([*(preset.name for preset in everything), *(f"group {group.identifier}"
+                          for group in groups.all_groups()), "group fresnel_ramp"])
     for number, preset in enumerate(everything, 1):
         record = made(preset=preset.name)
         material = materials.create(record, asset_name(preset)) if preset in whole else _stand_in(record, preset)
-        _as_asset(material, preset.name, preset.category, _description(preset, record),
+        _as_asset(material, pictures.get(preset.name), preset.category, _description(preset, record),
                   (*CATALOGUES[preset.category].split("/"), preset.name, *preset.aliases))
         assets.append(material)
         if number % 50 == 0:
@@ -121,17 +119,14 @@ def build(file):
     for group in groups.all_groups():
         if group.in_menu and not group.osl:
             tree = groups.node_group(group.identifier)
-            _as_asset(tree, f"group {group.identifier}", GROUPS, group.summary + ".", ("Node Group", group.name))
+            _as_asset(tree, pictures.get(f"group {group.identifier}"), GROUPS, group.summary + ".", ("Node Group", group.name))
             assets.append(tree)
     ramp = api.create_fresnel_ramp("copper")
     note = "The Fresnel curve of copper over the angle of view, for any shader that takes a colour."
-    _as_asset(ramp, "group fresnel_ramp", GROUPS, note, ("Node Group", "Fresnel", "copper"))
+    _as_asset(ramp, pictures.get("group fresnel_ramp"), GROUPS, note, ("Node Group", "Fresnel", "copper"))
     assets.append(ramp)
     file.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as scratch:
-        loose = Path(scratch) / file.name
-        bpy.data.libraries.write(str(loose), set(assets), fake_user=True)
-        _pack(loose, file)
+    packed_blend.write(file, set(assets))
     CATALOGUE_FILE.write_text(catalogue_text(), encoding="utf-8")
     return len(assets)
 
@@ -152,7 +147,7 @@ def _description(preset, record):
     return " ".join(filter(None, (preset.note, preset.estimated, cited)))
 
 
-def _as_asset(datablock, preview, kind, description, tags):
+def _as_asset(datablock, pixels, kind, description, tags):
     datablock.asset_mark()
     about = datablock.asset_data
     about.author, about.license, about.copyright = AUTHOR, LICENCE, "2026 " + AUTHOR
@@ -160,12 +155,29 @@ def _as_asset(datablock, preview, kind, description, tags):
     about.catalog_id = catalogue_id(kind)
     for tag in dict.fromkeys(tags):
         about.tags.new(tag, skip_if_exists=True)
-    if thumbnail(preview).exists():
-        _set_preview(datablock, thumbnail(preview))
+    if pixels is not None:
+        shown_as = datablock.preview_ensure()
+        shown_as.image_size = pixels.shape[1::-1]
+        shown_as.image_pixels_float.foreach_set(pixels.astype("float32").ravel())
 
 
-def _set_preview(datablock, path):
-    """A picture as a datablock's preview, of PREVIEW pixels and LEVELS."""
+def _previews(names):
+    """{name: pixels ``(PREVIEW, PREVIEW, 4)``, bottom row first} of those that there are, in LEVELS steps.
+
+    Where nearly all show the floor they get the same floor, which takes the room of one.
+    """
+    import numpy as np
+    there = [name for name in names if thumbnail(name).exists()]
+    pictures = np.stack([_picture(thumbnail(name)) for name in there])
+    usual = np.median(pictures, axis=0)
+    alike = np.abs(pictures - usual).max(axis=-1, keepdims=True) < ALIKE
+    floor = alike.mean(axis=0) > MOST
+    pictures = np.where(floor & alike, usual, pictures)
+    return dict(zip(there, np.round(pictures * LEVELS) / LEVELS))
+
+
+def _picture(path):
+    """A picture of PREVIEW pixels across and high."""
     import bpy
     import numpy as np
     image = bpy.data.images.load(str(path))
@@ -174,10 +186,8 @@ def _set_preview(datablock, path):
     pixels = pixels.reshape(image.size[1], image.size[0], 4)
     bpy.data.images.remove(image)
     smaller = _shares(len(pixels)) @ pixels.reshape(len(pixels), -1)
-    smaller = _shares(pixels.shape[1]) @ smaller.reshape(PREVIEW, pixels.shape[1], 4)
-    preview = datablock.preview_ensure()
-    preview.image_size = PREVIEW, PREVIEW
-    preview.image_pixels_float.foreach_set((np.round(smaller * LEVELS) / LEVELS).ravel().astype(np.float32))
+    smaller = smaller.reshape(PREVIEW, pixels.shape[1], 4)
+    return np.einsum("ij,kjl->kil", _shares(pixels.shape[1]), smaller).astype(np.float32)
 
 
 def _shares(count):
@@ -186,21 +196,6 @@ def _shares(count):
     ends = np.arange(PREVIEW + 1)[:, None] * count / PREVIEW
     inside = np.clip(ends - np.arange(count), 0.0, 1.0)
     return (inside[1:] - inside[:-1]) * PREVIEW / count
-
-
-def _pack(loose, file):
-    """Compress a .blend as Blender does, but in larger frames and more patiently.
-
-    Its pictures and node trees resemble each other, so the file is less than half as large; Blender finds a frame by
-    the table at the end (Zstandard's seekable format), and unpacks no more than it reads.
-    """
-    import zstandard
-    raw = loose.read_bytes()
-    pieces = [raw[start:start + FRAME] for start in range(0, len(raw), FRAME)]
-    frames = [zstandard.ZstdCompressor(level=LEVEL, write_content_size=True).compress(piece) for piece in pieces]
-    table = b"".join(struct.pack("<II", len(frame), len(piece)) for frame, piece in zip(frames, pieces))
-    table += struct.pack("<IBI", len(frames), 0, SEEKABLE)
-    file.write_bytes(b"".join((*frames, struct.pack("<II", SKIPPED, len(table)), table)))
 
 
 if __name__ == "__main__":

@@ -15,8 +15,6 @@ SIZE = 256
 
 SAMPLES, SAMPLES_OF_CLEAR, SAMPLES_OF_RAINBOWS = 8, 16, 48
 BOUNCES, BOUNCES_OF_CLEAR = 4, 12
-QUALITY = 80
-"""Of the WebP files: 5 kB each."""
 PIXEL_LIMIT = 6.0
 """Radiance up to which light that has been reflected counts: caustics would be dots."""
 LIGHTS = (
@@ -54,7 +52,7 @@ def new_scene():
 
 
 def render(scene, piece, material, path, rainbows=False):
-    """Take the picture of one material into a file.
+    """Take the picture of one material into a PNG file.
 
     rainbows  whether it parts light by its colours, which takes more samples
     """
@@ -74,9 +72,9 @@ def _set_render(scene):
     scene.render.resolution_percentage = 100
     scene.render.use_persistent_data = True
     scene.render.dither_intensity = 0.0
-    scene.render.image_settings.file_format = "WEBP"
+    scene.render.image_settings.file_format = "PNG"
     scene.render.image_settings.color_mode = "RGB"
-    scene.render.image_settings.quality = QUALITY
+    scene.render.image_settings.compression = 0
     scene.view_settings.view_transform = "Standard"
     scene.cycles.use_adaptive_sampling = False
     scene.cycles.use_denoising = True

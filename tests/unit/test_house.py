@@ -125,7 +125,7 @@ def test_every_preset_has_a_preview_and_nothing_else_does():
     previews = {Path(name).stem for name in FILES if name.startswith("addon/thumbnails/")}
     groups = {name for name in previews if name.startswith("group ")}  # for the asset library
     assert previews - groups == {*presets.names()}
-    assert sum((ROOT / name).stat().st_size for name in FILES if name.startswith("addon/thumbnails/")) < 2_000_000
+    assert sum((ROOT / name).stat().st_size for name in FILES if name.startswith("addon/thumbnails/")) < 1_700_000
 
 
 def test_there_is_one_version():
