@@ -119,7 +119,8 @@ def build(file):
     for group in groups.all_groups():
         if group.in_menu and not group.osl:
             tree = groups.node_group(group.identifier)
-            _as_asset(tree, pictures.get(f"group {group.identifier}"), GROUPS, group.summary + ".", ("Node Group", group.name))
+            _as_asset(tree, pictures.get(f"group {group.identifier}"), GROUPS, group.summary + ".",
+                      ("Node Group", group.name))
             assets.append(tree)
     ramp = api.create_fresnel_ramp("copper")
     note = "The Fresnel curve of copper over the angle of view, for any shader that takes a colour."
