@@ -465,10 +465,6 @@ TEXTS = {
         "测量",
     "Menus":
         "菜单",
-    "Metals":
-        "金属",
-    "Minerals and Ceramics":
-        "矿物与陶瓷",
     "Model":
         "模型",
     "Name a saved preset, and a new name with at least one letter":

@@ -475,10 +475,6 @@ TEXTS = {
         "Messung",
     "Menus":
         "Menüs",
-    "Metals":
-        "Metalle",
-    "Minerals and Ceramics":
-        "Minerale und Keramik",
     "Model":
         "Modell",
     "Name a saved preset, and a new name with at least one letter":
