@@ -24,7 +24,7 @@ from addon.catalogue import presets  # noqa: E402
 from addon.catalogue.categories import CATEGORIES  # noqa: E402
 from addon.catalogue.entries import THUMBNAILS, entries, thumbnail  # noqa: E402
 from addon.models import named  # noqa: E402
-from tools import stamps  # noqa: E402
+from tools import packed_blend, stamps  # noqa: E402
 
 __all__ = ["AUTHOR", "CATALOGUES", "FILE", "LICENCE", "build", "catalogue_text", "ensure", "held", "shown"]
 
@@ -34,9 +34,13 @@ STAMP = FOLDER / "stamp.json"
 CATALOGUE_FILE = FOLDER / "blender_assets.cats.txt"
 AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
+PREVIEW, LEVELS = 64, 31
+"""Of an asset's preview: pixels across, as many as a tile of the shelf has, and steps of a channel.  The pictures of all
+assets are most of the library; larger ones are in addon/thumbnails.
+"""
+ALIKE, MOST = 0.05, 0.6
+"""How near to the usual pixel one counts as the same, and in what share of the pictures it has to, to be the floor."""
 GROUPS = "group"
-PREVIEW = 128
-"""At most so many pixels across: of the pictures, whatever their size, the library keeps this much."""
 CATALOGUES = {**CATEGORIES, GROUPS: "Node Groups"}
 """What an asset is -> its catalogue."""
 
@@ -102,10 +106,12 @@ def build(file):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     assets = []
     everything, whole = shown(), set(held())
+    pictures = _previews([*(preset.name for preset in everything), *(f"group {group.identifier}"
+                          for group in groups.all_groups()), "group fresnel_ramp"])
     for number, preset in enumerate(everything, 1):
         record = made(preset=preset.name)
         material = materials.create(record, asset_name(preset)) if preset in whole else _stand_in(record, preset)
-        _as_asset(material, preset.name, preset.category, _description(preset, record),
+        _as_asset(material, pictures.get(preset.name), preset.category, _description(preset, record),
                   (*CATALOGUES[preset.category].split("/"), preset.name, *preset.aliases))
         assets.append(material)
         if number % 50 == 0:
@@ -113,14 +119,15 @@ def build(file):
     for group in groups.all_groups():
         if group.in_menu and not group.osl:
             tree = groups.node_group(group.identifier)
-            _as_asset(tree, f"group {group.identifier}", GROUPS, group.summary + ".", ("Node Group", group.name))
+            _as_asset(tree, pictures.get(f"group {group.identifier}"), GROUPS, group.summary + ".",
+                      ("Node Group", group.name))
             assets.append(tree)
     ramp = api.create_fresnel_ramp("copper")
     note = "The Fresnel curve of copper over the angle of view, for any shader that takes a colour."
-    _as_asset(ramp, "group fresnel_ramp", GROUPS, note, ("Node Group", "Fresnel", "copper"))
+    _as_asset(ramp, pictures.get("group fresnel_ramp"), GROUPS, note, ("Node Group", "Fresnel", "copper"))
     assets.append(ramp)
     file.parent.mkdir(parents=True, exist_ok=True)
-    bpy.data.libraries.write(str(file), set(assets), fake_user=True, compress=True)
+    packed_blend.write(file, set(assets))
     CATALOGUE_FILE.write_text(catalogue_text(), encoding="utf-8")
     return len(assets)
 
@@ -141,7 +148,7 @@ def _description(preset, record):
     return " ".join(filter(None, (preset.note, preset.estimated, cited)))
 
 
-def _as_asset(datablock, preview, kind, description, tags):
+def _as_asset(datablock, pixels, kind, description, tags):
     datablock.asset_mark()
     about = datablock.asset_data
     about.author, about.license, about.copyright = AUTHOR, LICENCE, "2026 " + AUTHOR
@@ -149,22 +156,47 @@ def _as_asset(datablock, preview, kind, description, tags):
     about.catalog_id = catalogue_id(kind)
     for tag in dict.fromkeys(tags):
         about.tags.new(tag, skip_if_exists=True)
-    if thumbnail(preview).exists():
-        _set_preview(datablock, thumbnail(preview))
+    if pixels is not None:
+        shown_as = datablock.preview_ensure()
+        shown_as.image_size = pixels.shape[1::-1]
+        shown_as.image_pixels_float.foreach_set(pixels.astype("float32").ravel())
 
 
-def _set_preview(datablock, path):
+def _previews(names):
+    """{name: pixels ``(PREVIEW, PREVIEW, 4)``, bottom row first} of those that there are, in LEVELS steps.
+
+    Where nearly all show the floor they get the same floor, which takes the room of one.
+    """
+    import numpy as np
+    there = [name for name in names if thumbnail(name).exists()]
+    pictures = np.stack([_picture(thumbnail(name)) for name in there])
+    usual = np.median(pictures, axis=0)
+    alike = np.abs(pictures - usual).max(axis=-1, keepdims=True) < ALIKE
+    floor = alike.mean(axis=0) > MOST
+    pictures = np.where(floor & alike, usual, pictures)
+    return dict(zip(there, np.round(pictures * LEVELS) / LEVELS))
+
+
+def _picture(path):
+    """A picture of PREVIEW pixels across and high."""
     import bpy
     import numpy as np
     image = bpy.data.images.load(str(path))
-    if image.size[0] > PREVIEW:
-        image.scale(PREVIEW, PREVIEW)
     pixels = np.empty(image.size[0] * image.size[1] * 4, np.float32)
     image.pixels.foreach_get(pixels)
-    preview = datablock.preview_ensure()
-    preview.image_size = image.size
-    preview.image_pixels_float.foreach_set(pixels)
+    pixels = pixels.reshape(image.size[1], image.size[0], 4)
     bpy.data.images.remove(image)
+    smaller = _shares(len(pixels)) @ pixels.reshape(len(pixels), -1)
+    smaller = smaller.reshape(PREVIEW, pixels.shape[1], 4)
+    return np.einsum("ij,kjl->kil", _shares(pixels.shape[1]), smaller).astype(np.float32)
+
+
+def _shares(count):
+    """How much of each of `count` pixels is in each of PREVIEW ones beside each other, ``(PREVIEW, count)``."""
+    import numpy as np
+    ends = np.arange(PREVIEW + 1)[:, None] * count / PREVIEW
+    inside = np.clip(ends - np.arange(count), 0.0, 1.0)
+    return (inside[1:] - inside[:-1]) * PREVIEW / count
 
 
 if __name__ == "__main__":

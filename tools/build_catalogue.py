@@ -14,6 +14,7 @@ sys.path.insert(0, str(ROOT))
 from addon.bake import bake  # noqa: E402
 from addon.bake.srgb import hex_of  # noqa: E402
 from addon.catalogue import presets  # noqa: E402
+from addon.catalogue.entries import thumbnail  # noqa: E402
 from addon.catalogue.kinds import KINDS  # noqa: E402
 from addon.models.making import made  # noqa: E402
 from addon.spectra import tables  # noqa: E402
@@ -100,7 +101,7 @@ def row(preset, bake, surface, citations):
 
 def picture(name):
     """The preset's thumbnail, seen from docs/."""
-    return f'<img src="../addon/thumbnails/{name}.png" width="40" alt="{name}">'
+    return f'<img src="../addon/thumbnails/{thumbnail(name).name}" width="40" alt="{name}">'
 
 
 def numbers(values, digits):

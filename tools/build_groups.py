@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tools import stamps  # noqa: E402
+from tools import packed_blend, stamps  # noqa: E402
 
 __all__ = ["LIBRARY", "STAMP", "VERSIONS", "build", "ensure", "record", "why_not_recorded"]
 
@@ -51,7 +51,7 @@ def build(folder):
         tree = groups.build_group(group.identifier)
         if not group.stand_in:  # the others get a second shader when they are brought in
             groups.mark(tree, group)
-        bpy.data.libraries.write(str(folder / f"{group.identifier}.blend"), {tree}, fake_user=True, compress=True)
+        packed_blend.write(folder / f"{group.identifier}.blend", {tree})
         print(f"{number}/{len(wanted)} {group.name}: {len(tree.nodes)} nodes", flush=True)
 
 

@@ -5,11 +5,7 @@ import zlib
 
 import numpy as np
 
-__all__ = ["indexed_png_bytes", "png_bytes"]
-
-COLOURS = 256
-ROUNDS, SEED = 12, 1
-"""Of k-means."""
+__all__ = ["png_bytes"]
 
 
 def png_bytes(pixels):
@@ -28,33 +24,6 @@ def png_bytes(pixels):
                          np.where(to_above <= to_corner, above, corner))
     rows = ((here - predicted) % 256).astype(np.uint8).reshape(len(here), -1)
     return _file(pixels.shape, 6, _chunk(b"IDAT", zlib.compress(np.insert(rows, 0, 4, axis=1).tobytes(), 9)))
-
-
-def indexed_png_bytes(pixels):
-    """A PNG file of at most 256 colours, which k-means finds; pixels as for :func:`png_bytes`.  Needs scipy.
-
-    A third of the size, and of a picture of one material no eye sees the difference.
-
-    >>> len(indexed_png_bytes(np.zeros((2, 3, 4), np.uint8)))
-    96
-    """
-    palette, places = _palette(pixels.reshape(-1, 4))
-    order = np.lexsort(palette.T)  # neighbours in colour are neighbours in number, which deflates better
-    rows = np.argsort(order)[places].astype(np.uint8).reshape(pixels.shape[:2])
-    return _file(pixels.shape, 3, _chunk(b"PLTE", palette[order, :3].tobytes()),
-                 _chunk(b"tRNS", palette[order, 3].tobytes()),
-                 _chunk(b"IDAT", zlib.compress(np.insert(rows, 0, 0, axis=1).tobytes(), 9)))
-
-
-def _palette(colours):
-    """(the palette ``(N, 4)``, the place in it of each colour)."""
-    from scipy.cluster.vq import kmeans2, vq
-    different = np.unique(colours, axis=0)
-    if len(different) > COLOURS:
-        start = different[np.linspace(0, len(different) - 1, COLOURS).astype(int)].astype(float)
-        found, _ = kmeans2(colours.astype(float), start, iter=ROUNDS, minit="matrix")
-        different = np.unique(np.round(found).astype(np.uint8), axis=0)
-    return different, vq(colours.astype(float), different.astype(float))[0]
 
 
 def _file(shape, kind, *chunks):

@@ -1,9 +1,8 @@
 """Renders a preview of every preset and every node group into addon/thumbnails/, on the oldest Blender supported.
 
-    python tools/render_previews.py [--only NAME …]
+    python tools/render_previews.py [--only NAME …] [--into FOLDER] [--threads N]
 
-A ball in neutral light, by the realisation Fast; groups by themselves. Some five
-minutes on two cores for all; --only for what has changed.
+See preview_scene.py; groups by themselves. Some fifteen minutes on two cores for all; --only for what has changed.
 """
 
 import argparse
@@ -11,8 +10,6 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-
-import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
@@ -24,11 +21,11 @@ from addon.blender.datablocks.groups import all_groups, model_of_group, node_gro
 from addon.catalogue import presets  # noqa: E402
 from addon.finishes import of_group  # noqa: E402
 from tools import preview_scene  # noqa: E402
-from tools.png_file import indexed_png_bytes  # noqa: E402
 
 __all__ = ["FOLDER", "GROUP", "names"]
 
 FOLDER = ROOT / "addon" / "thumbnails"
+QUALITY = 75
 GROUP = "group "
 """What the names of groups' previews begin with."""
 RAMP = "group fresnel_ramp"
@@ -44,19 +41,33 @@ def names():
     return (*presets.names(), *groups, RAMP)
 
 
-def main(wanted):
-    """Render each and say how long it took."""
-    FOLDER.mkdir(exist_ok=True)
-    scene, ball = preview_scene.new_scene()
-    with tempfile.TemporaryDirectory() as scratch:
-        rendered = Path(scratch) / "preview.png"
-        for name in wanted:
-            start = time.perf_counter()
-            material = _material(name)
-            preview_scene.render(scene, ball, material, rendered)
-            bpy.data.materials.remove(material)
-            (FOLDER / f"{name}.png").write_bytes(indexed_png_bytes(_pixels(rendered)))
-            print(f"{name}: {time.perf_counter() - start:.1f} s", flush=True)
+def main(wanted, folder=FOLDER, threads=0):
+    """Render each and say how long it took.
+
+    threads  of the processor; 0 for all
+    """
+    folder.mkdir(exist_ok=True)
+    scene, piece = preview_scene.new_scene()
+    if threads:
+        scene.render.threads_mode, scene.render.threads = "FIXED", threads
+    for name in wanted:
+        start = time.perf_counter()
+        material = _material(name)
+        record = None if name.startswith(GROUP) else api.record_of(material)
+        with tempfile.TemporaryDirectory() as scratch:
+            rendered = Path(scratch) / "preview.png"
+            preview_scene.render(scene, piece, material, rendered,
+                                 rainbows=record is not None and record.realisation == "dispersive")
+            pack(rendered, folder / f"{name}.webp")
+        bpy.data.materials.remove(material)
+        print(f"{name}: {time.perf_counter() - start:.1f} s", flush=True)
+
+
+def pack(picture, file):
+    """A picture as a WebP file, more patiently than Blender makes it: 3 kB."""
+    from PIL import Image
+    with Image.open(picture) as opened:
+        opened.save(file, "WEBP", quality=QUALITY, method=6)
 
 
 def _material(name):
@@ -91,24 +102,16 @@ def _emitting(group, output):
     return material
 
 
-def _pixels(path):
-    """A PNG's pixels, 8 bits RGBA, top row first; nothing where nothing is seen."""
-    image = bpy.data.images.load(str(path))
-    width, height = image.size
-    pixels = np.empty(width * height * 4, np.float32)
-    image.pixels.foreach_get(pixels)
-    bpy.data.images.remove(image)
-    found = np.round(pixels * 255.0).astype(np.uint8).reshape(height, width, 4)[::-1]
-    return np.where(found[..., 3:] > 0, found, 0)
-
-
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--only", nargs="+", metavar="NAME", help="the presets and groups to render (all)")
-    chosen = parser.parse_args().only or names()
+    parser.add_argument("--into", type=Path, default=FOLDER, help="where the pictures go (addon/thumbnails)")
+    parser.add_argument("--threads", type=int, default=0, help="of the processor (all)")
+    options = parser.parse_args()
+    chosen = options.only or names()
     unknown = [name for name in chosen if name not in names()]
     if unknown:
         parser.error(f"there is no preset or group {', '.join(unknown)}")
     if bpy.app.version[:2] != (4, 5):
         parser.error("render the previews on Blender 4.5, on which the assets are built")
-    main(chosen)
+    main(chosen, options.into, options.threads)

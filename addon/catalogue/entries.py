@@ -80,9 +80,9 @@ def thumbnail(name):
     """Path of a material's picture, whether there is one or not.
 
     >>> thumbnail("copper").name
-    'copper.png'
+    'copper.webp'
     """
-    return THUMBNAILS / f"{name}.png"
+    return THUMBNAILS / f"{name}.webp"
 
 
 def forget():

@@ -95,7 +95,7 @@ def look_up(text, limit=50):
     words = words_of(text)
     if not words:
         return Results(missing=text) if text.strip() else Results(_presets(range(len(_all())), limit))
-    places = _materials(words)
+    places = _materials(words, text.strip())
     measured = _measurements(words, limit) if limit is None or len(places) < limit else ()
     if places or measured:
         return Results(_presets(places, limit), measured)
@@ -172,8 +172,11 @@ def _presets(places, limit):
                        shown[place].covers_visible, lines[place]) for place in places[:limit])
 
 
-def _materials(words):
-    """Places of the Entries that all words fit, best first; of those that fit alike, what is no variant first."""
+def _materials(words, spelt=""):
+    """Places of the Entries that all words fit, best first; of those that fit alike, what is no variant first.
+
+    spelt  the text as it was typed: what is called so to the letter is before all, as TiN before tin
+    """
     found, whole, shown = [], " ".join(words), _all()
     inside = all(len(word) >= SHORTEST_INSIDE or not word.isascii() for word in words)
     for place, line in enumerate(_lines()):
@@ -183,7 +186,8 @@ def _materials(words):
         else:
             fit = _fit(words, whole, line)
             if fit < INSIDE or inside:
-                found.append((fit, bool(shown[place].variant_of), place))
+                to_the_letter = fit <= ALIAS and (spelt == shown[place].title or spelt in shown[place].aliases)
+                found.append((not to_the_letter, fit, bool(shown[place].variant_of), place))
     return [place for *_, place in sorted(found)]
 
 

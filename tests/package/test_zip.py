@@ -15,7 +15,8 @@ ROOT = Path(__file__).resolve().parents[2]
 # Everything that may be in the zip; a new kind of file has to be allowed here by hand.
 ALLOWED = ("__init__.py", "blender_manifest.toml", "LICENSE", "README.md",
            "addon/*.py", "addon/models/*/*.osl", "addon/models/*/presets.json", "addon/spectra/data/*",
-           "addon/thumbnails/*.png", "node_groups/*.blend", "node_groups/assets/blender_assets.cats.txt")
+           "addon/thumbnails/*.webp", "node_groups/*.blend",
+           "node_groups/assets/blender_assets.cats.txt")
 NEEDED = ("__init__.py", "blender_manifest.toml", "LICENSE", "addon/__init__.py", "addon/cli.py", "addon/api.py",
           "node_groups/groups/cook_torrance_fast.blend", "node_groups/assets/facet_film_assets.blend")
 MOST_BYTES = 10_000_000
