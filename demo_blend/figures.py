@@ -14,7 +14,7 @@ from pathlib import Path
 
 from .job import Clock, Job
 
-MODULES = ("still_life", "iridescent", "vases", "twelve_vases", "watch", "plots", "layers", "gallery", "finishes",
+MODULES = ("vases", "twelve_vases", "watch", "plots", "layers", "gallery", "finishes",
            "clear", "spectrum", "side_by_side")
 """Of demo_blend, each with FIGURES."""
 
