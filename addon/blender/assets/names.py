@@ -23,7 +23,7 @@ def asset_name(entry):
 
     >>> from addon.catalogue.entries import entries
     >>> asset_name(entries()["aluminium"])
-    'Aluminium (Al, aluminum, 铝)'
+    'Aluminium (Al, aluminum, 铝, Alu)'
     """
     others, room = [], MOST_BYTES - len(f"{entry.title}{BEGIN}{END}".encode())
     for other in entry.aliases:
@@ -40,7 +40,7 @@ def title_of(name):
 def preset_of(name):
     """Name of the preset that an asset of this name is of, or None.
 
-    >>> preset_of("Aluminium (Al, aluminum, 铝)"), preset_of("Suzanne")
+    >>> preset_of("Aluminium (Al, aluminum, 铝, Alu)"), preset_of("Suzanne")
     ('aluminium', None)
     """
     return _by_title().get(title_of(name))
