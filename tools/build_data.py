@@ -69,11 +69,11 @@ def entry(preset):
 def largest_error(baked):
     """The largest CIEDE2000 of what was baked from the spectrum, or None where there is no spectrum.
 
-    >>> largest_error({"conductor": {"delta_e_2000_max": 0.1}}), largest_error({})
+    >>> largest_error({"conductor": {"delta_e_2000_max": 0.1}}), largest_error({"table": {"size": [64, 1]}})
     (0.1, None)
     """
-    return next((baked[name]["delta_e_2000_max"] for name in ("conductor", "attenuation", "table") if name in baked),
-                None)
+    return next((baked[name]["delta_e_2000_max"] for name in ("conductor", "attenuation", "table")
+                 if "delta_e_2000_max" in baked.get(name, ())), None)
 
 
 def _sources(record):

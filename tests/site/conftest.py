@@ -13,7 +13,8 @@ sys.path.insert(0, str(ROOT))
 
 from tools import build_data, build_site  # noqa: E402
 
-MATERIALS = ("copper", "gold", "vinyl", "window_glass", "diamond", "anodised_titanium", "nacre")
+MATERIALS = ("copper", "gold", "vinyl", "window_glass", "diamond", "anodised_titanium", "nacre",
+             "wrap_sunset")
 DRIVER = "chromedriver"
 
 
