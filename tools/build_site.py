@@ -150,7 +150,8 @@ def _materials(folder, entries):
             (folder / "_extra" / "downloads" / name).write_text(content, encoding="utf-8")
     used = {one["category"] for one in entries}
     (folder / "materials.md").write_text("# Materials\n\n" + RAW % shelf.render(
-        materials=pages, categories={name: title for name, title in CATEGORIES.items() if name in used}), "utf-8")
+        materials=pages, categories={name: title.rpartition("/")[2] for name, title in CATEGORIES.items()
+                                     if name in used}), "utf-8")
 
 
 def build(out, catalogue):
