@@ -15,7 +15,7 @@ from pathlib import Path
 from .job import Clock, Job
 
 MODULES = ("vases", "twelve_vases", "watch", "plots", "layers", "gallery", "finishes",
-           "clear", "spectrum", "side_by_side")
+           "clear", "spectrum", "tutorials", "side_by_side")
 """Of demo_blend, each with FIGURES."""
 
 
