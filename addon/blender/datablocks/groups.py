@@ -164,10 +164,10 @@ def _from_library(group):
 
 
 def _add_eevee_output(tree, fast):
-    """Give the group a second shader, Fast with the same inputs, for an EEVEE material output."""
+    """Give the group a second shader, Standard with the same inputs, for an EEVEE material output."""
     output = _output_of(tree)
     stand_in = _nested(tree, fast, output.location.y - 300)
-    item = tree.interface.new_socket(EEVEE_OUTPUT, description="The Fast realisation, for an EEVEE material output",
+    item = tree.interface.new_socket(EEVEE_OUTPUT, description="The Standard realisation, for an EEVEE material output",
                                      in_out="OUTPUT", socket_type="NodeSocketShader")
     target = next(socket for socket in output.inputs if socket.identifier == item.identifier)
     tree.links.new(stand_in.outputs[0], target)
