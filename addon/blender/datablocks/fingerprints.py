@@ -27,7 +27,7 @@ SETTINGS = {
     "ShaderNodeBsdfGlass": ("distribution",), "ShaderNodeBsdfRefraction": ("distribution",),
     "ShaderNodeTexVoronoi": ("voronoi_dimensions", "feature", "distance", "normalize"),
     "ShaderNodeAmbientOcclusion": ("samples", "inside", "only_local"),
-    "ShaderNodeLightPath": (), "ShaderNodeFloatCurve": (),
+    "ShaderNodeLightPath": (), "ShaderNodeObjectInfo": (), "ShaderNodeFloatCurve": (),
     "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
     "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
