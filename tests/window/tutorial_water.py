@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import hands  # noqa: E402
 from hands import area_of, click, find, key, middle_of, picture, step, until, within, write  # noqa: E402
 
-BY_HAND = (("Glass", "clear glass low iron"), ("Surface", "water"), ("Wall", "water"))
+BY_HAND = (("Glass", "clear glass low iron"), ("Surface", "water wasser"), ("Wall", "water wasser"))
 
 
 def session():
