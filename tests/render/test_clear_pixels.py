@@ -42,6 +42,15 @@ def test_another_preset_takes_the_refraction_back():
     assert not material.use_raytrace_refraction
 
 
+@pytest.mark.parametrize("preset, given, method", [
+    ("cobalt_glass", {"walls": "thin"}, "BLENDED"), ("cobalt_glass", {}, "DITHERED"), ("soap_bubble", {}, "BLENDED"),
+    ("copper", {}, "DITHERED"),
+])
+def test_a_sheet_is_blended_in_eevee_which_dithers_without_colour(preset, given, method):
+    material = api.create_material(preset="soap_bubble" if method == "DITHERED" else "copper")
+    assert api.create_material(preset=preset, material=material, **given).surface_render_method == method
+
+
 def test_a_file_that_has_glass_as_an_opaque_mirror_bakes_again():
     material = api.create_material("cook_torrance", preset="window_glass")
     assert api.record_of(api.rebake(material) or material).model == "cook_torrance"

@@ -65,4 +65,5 @@ MODEL = Model(
     standin=_standin,
     measured=True,
     refracts=True,
+    sheet=lambda parameters: parameters.walls == "thin",
 )

@@ -90,6 +90,7 @@ MODEL = Model(
     swatch=_swatch,
     fits={"curve": "fits.Curve"},
     standin=_standin,
+    sheet=lambda parameters: parameters.see_through > 0.0,
     made_of="stack",
     picture=_picture,
 )
