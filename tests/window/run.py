@@ -24,7 +24,7 @@ sys.path.insert(0, str(ROOT))
 
 from tools.package import build  # noqa: E402
 
-SESSIONS = ("newcomer", "picker", "panel", "shader_editor", "assets", "fitting")
+SESSIONS = ("newcomer", "picker", "panel", "layers", "shader_editor", "assets", "fitting")
 AT_MOST_S = 150
 RETRY_UNTIL_S = 300
 FAILED, NO_WINDOW = 1, 3

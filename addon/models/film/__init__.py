@@ -21,6 +21,16 @@ def _look(parameters, place=None):
     return look(parameters, place)
 
 
+def _work_ahead(resolved, viewing, progress):
+    from .tables import table_of
+    table_of(resolved.preset.parameters["stack"], viewing, progress=progress)
+
+
+def _no_longer(parameters, baked):
+    from .baking import no_longer
+    return no_longer(parameters, baked)
+
+
 def _picture(parameters, viewing):
     from .tables import picture
     return picture(parameters, viewing)
@@ -92,4 +102,6 @@ MODEL = Model(
     standin=_standin,
     made_of="stack",
     picture=_picture,
+    work_ahead=_work_ahead,
+    no_longer=_no_longer,
 )
