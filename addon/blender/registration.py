@@ -50,7 +50,8 @@ CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES,
            *make_local.CLASSES, *match_space.CLASSES, *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES,
            *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES,
            *layers_operators.CLASSES, *material.CLASSES, *layers_panel.CLASSES, *finish_panel.CLASSES,
-           *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
+           *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES,
+           *preferences.CLASSES)
 ATTACHED = (translations, settings, card, menus, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []

@@ -6,9 +6,9 @@ from .parameters import ANODISING_GROUP, HEAT_TINT_GROUP, THICKNESS_GROUP, Film
 __all__ = ["MODEL"]
 
 
-def _evaluate(parameters, n, v, l):
+def _evaluate(parameters, n, v, l, tangent=None):
     from .formulas import evaluate
-    return evaluate(parameters, n, v, l)
+    return evaluate(parameters, n, v, l, tangent)
 
 
 def _bake(resolved, viewing, realisation, renderer):
@@ -69,13 +69,13 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Fast", 2, "fast.build",
+        Group("film_fast", "Film Fast", 3, "fast.build",
               "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device",
               stand_in="film_eevee", pictured=True),
-        Group("film_exact", "Film Exact", 3, "exact.build",
+        Group("film_exact", "Film Exact", 4, "exact.build",
               "Stacks of films at the angle of each facet, sampled with nodes alone, on every device",
               stand_in="film_eevee", pictured=True),
-        Group("film_eevee", "Film EEVEE", 2, "fast.build_eevee",
+        Group("film_eevee", "Film EEVEE", 3, "fast.build_eevee",
               "Stacks of films by one native closure, for EEVEE", in_menu=False, pictured=True),
         Group(THICKNESS_GROUP, "Film Thickness", 1, "thickness.build",
               "Thickness in nanometres that varies by noise, a gradient or a texture"),

@@ -80,5 +80,5 @@ def look(parameters, place=None):
         share, cosine = noise + p.gradient * (0.5 - 0.5 * y - noise), np.clip(z, 0.0, 1.0)
     thickness = least + (greatest - least) * share
     colour = colour_of(p.stack, thickness) if place is None else table_of(p.stack, {}).at(cosine, thickness)
-    diffuse = (1.0 - p.specular) * np.array(p.diffuse)
+    colour, diffuse = colour * np.array(p.tint), (1.0 - p.specular) * np.array(p.tint) * np.array(p.diffuse)
     return Look(p.specular * colour + diffuse, colour, p.specular, float(slope(p.roughness)), diffuse)
