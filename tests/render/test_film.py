@@ -11,7 +11,10 @@ import pytest
 from addon import api
 from addon.blender import compat
 from addon.blender.datablocks import groups, materials, pictures
+from addon.catalogue import presets
 from addon.errors import FacetFilmError
+from addon.models.film.tables import table_of
+from addon.models.making import made
 from addon.verify import film_checks
 from tests.render import probes
 
@@ -59,6 +62,23 @@ np.save({str(picture)!r}, probes.render(bpy.context.scene))
 """
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True)
     assert np.abs(np.load(picture) - before).max() < 1e-6
+
+
+def see_through():
+    """The presets that are seen through and absorb nothing."""
+    films = {name: made(preset=name).parameters for name in presets.of_model("film")}
+    return [name for name, film in films.items()
+            if film.see_through > 0.0 and not table_of(film.stack, {}).absorbs]
+
+
+@pytest.mark.parametrize("preset", see_through())
+def test_what_a_clear_film_reflects_and_lets_through_is_all_of_an_even_world(preset):
+    """One sheet at 45°: in a closed body light would go to and fro until its last bounce."""
+    scene = probes.empty_scene(16, samples=512, extent=0.5)
+    bpy.ops.mesh.primitive_plane_add(size=20.0, rotation=(0.0, np.pi / 4, 0.0))
+    bpy.context.object.data.materials.append(api.create_material(preset=preset))
+    probes.set_world(scene, 1.0)
+    np.testing.assert_allclose(probes.render(scene).mean(axis=(0, 1)), 1.0, atol=1e-3)
 
 
 def test_films_of_one_stack_share_an_image_and_a_group():

@@ -25,7 +25,8 @@ def session():
     step("the list and the text are those of the material that is shown")
     yield from until(lambda: settings().layers_text == "TiO2 0-200 nm / Ti", "the panel shows what the material is of")
     with within(properties):
-        bpy.ops.view2d.scroll_down(page=True)
+        for _ in range(12):
+            bpy.ops.view2d.scroll_down(page=True)
     yield 1.0
     picture("layers")
 
