@@ -32,7 +32,7 @@ FINE = np.linspace(0.0, 1.0, 505)
 SHOWN = 0.02
 LEAST_N_V = 0.1
 SAMPLING_WIDTH = 0.2
-"""Of the Reference where none is given, as Cook-Torrance Exact's."""
+"""Of the Reference where none is given, as Cook-Torrance Reference's."""
 VIEW = np.array([0.0, 0.0, 1.0])
 
 

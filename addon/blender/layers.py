@@ -108,10 +108,10 @@ class FacetFilmLayer(bpy.types.PropertyGroup):
         description="What the layer is of: a formula such as SiO2, a preset, a dataset, a file, or an index such as "
                     "1.38 or 2.5+0.1i. Type to search")
     thickness: bpy.props.FloatProperty(
-        name="Thickness", min=0.0, max=THICKEST, soft_max=2000.0, default=100.0, step=100, precision=1,
+        name="Thickness", min=0.0, max=THICKEST, soft_max=2000.0, default=100.0, step=100, precision=0,
         update=_list_changed, description="Thickness in nanometres; where it varies, the least")
     greatest: bpy.props.FloatProperty(
-        name="Greatest Thickness", min=0.0, max=THICKEST, soft_max=2000.0, default=USUAL_END, step=100, precision=1,
+        name="Greatest Thickness", min=0.0, max=THICKEST, soft_max=2000.0, default=USUAL_END, step=100, precision=0,
         update=_list_changed, description="The greatest thickness in nanometres")
     varies: bpy.props.BoolProperty(
         name="Varies", update=_list_changed,

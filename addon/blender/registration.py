@@ -3,8 +3,7 @@
 import bpy
 
 from . import layers, settings, translations
-from .assets import imported, library, names, search_items, swatches, thumbnails
-from .datablocks import groups, menu
+from .assets import imported
 from .exporters import usd
 from .operators import (
     add_group,
@@ -71,6 +70,8 @@ def unregister():
     bpy.utils.unregister_cli_command(_commands.pop())
     for module in reversed(ATTACHED):
         module.detach()
+    from .assets import library, names, search_items, swatches, thumbnails
+    from .datablocks import groups, menu
     for module in (load_ahead, choose, search_items, names, groups, menu, layers):
         module.forget()
     swatches.clear()

@@ -105,7 +105,7 @@ def test_they_are_copied_between_files_by_the_clipboard(saved, tmp_path):
     assert materials.baked_of(pasted)["title"] == "Copper"
     np.testing.assert_array_equal(picture(pasted, tmp_path), pictures["copper exact"])
     api.create_material(preset="silver", realisation="exact")
-    assert {tree.name for tree in bpy.data.node_groups} == {"Cook-Torrance Exact", "Cook-Torrance Fast"}
+    assert {tree.name for tree in bpy.data.node_groups} == {"Cook-Torrance Reference", "Cook-Torrance Standard"}
     assert materials.our_node(pasted).node_tree == materials.our_node(gold).node_tree
 
 
@@ -156,8 +156,18 @@ def test_an_appended_group_takes_the_place_of_its_equal(saved):
         target.materials = ["copper"]
     assert len(bpy.data.node_groups) == 2
     api.create_material(preset="silver")
-    assert [tree.name for tree in bpy.data.node_groups] == ["Cook-Torrance Fast"]
+    assert [tree.name for tree in bpy.data.node_groups] == ["Cook-Torrance Standard"]
     assert materials.realisation_of(target.materials[0]) == "fast"
+
+
+def test_a_group_is_known_by_what_it_is_and_not_by_its_name(enabled):
+    """As files from before hold it, where the Standard group was called Fast; or as someone has renamed it."""
+    tree = materials.our_node(api.create_material(preset="gold")).node_tree
+    tree.name = "Cook-Torrance Fast"
+    silver = api.create_material(preset="silver")
+    assert materials.our_node(silver).node_tree == tree
+    assert [tree.name for tree in bpy.data.node_groups] == ["Cook-Torrance Fast"]
+    assert materials.realisation_of(silver) == "fast" and updates.outdated_groups() == []
 
 
 def older(material):
@@ -198,7 +208,7 @@ def test_an_older_file_is_updated_on_request(enabled, tmp_path, realisation):
     assert groups.socket_named(node, "Diffuse Color").links[0].from_node.bl_idname == "ShaderNodeRGB"
     outputs = [n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]
     assert all(output.inputs[0].is_linked for output in outputs)
-    assert {tree.name for tree in bpy.data.node_groups} <= {"Cook-Torrance Exact", "Cook-Torrance Fast"}
+    assert {tree.name for tree in bpy.data.node_groups} <= {"Cook-Torrance Reference", "Cook-Torrance Standard"}
     picture(material, tmp_path)
 
 

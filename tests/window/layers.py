@@ -36,14 +36,14 @@ def session():
     yield from until(lambda: len(settings().layers) == 2, "there are two layers")
     yield 0.5
     picture("layers_added")
-    fields = yield from places(properties, "FacetFilmLayer material", across=0.2)
-    yield from click(*fields[-1])
-    yield from key("A", fields[-1], ctrl=True)
-    yield from write("sio2", fields[-1])
+    field = yield from find(properties, "layers[1].material", across=(0.12, 0.16), every=6)
+    yield from click(*field)
+    yield from key("A", field, ctrl=True)
+    yield from write("sio2", field)
     yield 0.5
     picture("layers_search")
-    yield from key("DOWN_ARROW", fields[-1])
-    yield from key("RET", fields[-1])
+    yield from key("DOWN_ARROW", field)
+    yield from key("RET", field)
     yield from until(lambda: settings().layers_text == "TiO2 0-200 nm / SiO2 100 nm / Ti",
                      "the text has the layer that was chosen from the list")
 
@@ -62,22 +62,6 @@ def session():
     properties.tag_redraw()
     yield 1.0
     picture("layers_trouble")
-
-
-def places(area, wanted, across):
-    """Every place down a region where the button is `wanted`, from the top, one a button."""
-    region = hands.region_of(area)
-    found, before = [], ""
-    x = region.x + int(region.width * across)
-    for y in range(region.y + region.height - 5, region.y + 3, -6):
-        hands.move(x, y)
-        yield hands.LOOK
-        told = hands.under_mouse(area)
-        if told.startswith(wanted) and (not found or not before.startswith(wanted)):
-            found.append((x, y - 4))
-        before = told
-    assert found, f"No button for {wanted}"
-    return found
 
 
 def settings():

@@ -1,7 +1,6 @@
 """The panel of what a material is made of in words: its layers as a list, the text that says the same, its colours."""
 
 import bpy
-from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_n as n_
 
 from ..assets.swatches import swatch_icon
@@ -23,7 +22,7 @@ class FACET_FILM_UL_layers(bpy.types.UIList):
 
     def draw_item(self, _context, layout, _data, item, _icon, _active_data, _active_property):
         """What it is of; how thick, or from where to where."""
-        split = layout.split(factor=0.45, align=True)
+        split = layout.split(factor=0.36, align=True)
         split.prop(item, "material", text="", emboss=True)
         row = split.row(align=True)
         row.prop(item, "thickness", text="")
@@ -97,13 +96,12 @@ def _draw_swatch(layout, material):
     found = swatch_icon(material, key_of(image_in(our_node(material).node_tree)))
     if found is None:
         return
-    split = layout.split(factor=0.4)
-    split.template_icon(found.icon, scale=SWATCH_SCALE)
-    column = split.column(align=True)
-    column.label(text=iface_("Across: {:s} {:g} to {:g} {:s}").format(
-        iface_(found.over.capitalize()), found.first, found.last, found.unit), translate=False)
-    if found.has_angles:
-        column.label(text="Down: 0° to 85° from the normal")
+    column = layout.column(align=True)
+    column.template_icon(found.icon, scale=SWATCH_SCALE)
+    row = column.row()
+    row.alignment = "CENTER"
+    down = "   ↓ 0°–85°" if found.has_angles else ""
+    row.label(text=f"→ {found.first:g}–{found.last:g} {found.unit}{down}", translate=False)
 
 
 CLASSES = (FACET_FILM_UL_layers, FACET_FILM_MT_layers, FACET_FILM_PT_layers)
