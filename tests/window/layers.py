@@ -39,18 +39,18 @@ def session():
     field = yield from find(properties, "layers[1].material", across=(0.12, 0.16), every=6)
     yield from click(*field)
     yield from key("A", field, ctrl=True)
-    yield from write("sio2", field)
+    yield from write("mgf", field)
     yield 0.5
     picture("layers_search")
     yield from key("DOWN_ARROW", field)
     yield from key("RET", field)
-    yield from until(lambda: settings().layers_text == "TiO2 0-200 nm / SiO2 100 nm / Ti",
+    yield from until(lambda: settings().layers_text == "TiO2 0-200 nm / MgF2 100 nm / Ti",
                      "the text has the layer that was chosen from the list")
 
     step("bake")
     button = yield from find(properties, "facet_film.bake_layers", across=(0.5,))
     yield from click(*button)
-    yield from until(lambda: stack() == "TiO2 0-200 nm / SiO2 100 nm / Ti", "the material is made of both layers")
+    yield from until(lambda: stack() == "TiO2 0-200 nm / MgF2 100 nm / Ti", "the material is made of both layers")
     yield 1.0
     picture("layers_baked")
     yield from hands.undo(middle_of(view))

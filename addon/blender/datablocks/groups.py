@@ -9,6 +9,7 @@ from ... import models
 from ...models.realisations import REALISATIONS
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .locked import is_editable
+from .parts import drop_unused_parts, mark_parts, merge_parts
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
@@ -86,6 +87,7 @@ def node_group(identifier, image=None):
         mark(tree, group)
     if group.pictured:
         put_image(tree, image)
+    merge_parts()
     return tree
 
 
@@ -104,6 +106,8 @@ def _merged(trees, group, image):
         bpy.data.node_groups.remove(tree)
     if others and group.stand_in:
         node_group(group.stand_in, image)  # the others brought one of that, too
+    if others:
+        drop_unused_parts()
     return first
 
 
@@ -138,7 +142,10 @@ def build_group(identifier):
         build(group, builder)
     else:
         model.build(identifier, builder)
-    return builder.finish()
+    tree = builder.finish()
+    mark_parts(part.tree for part in builder.parts.values())
+    merge_parts()
+    return tree
 
 
 def library_file(identifier):

@@ -68,7 +68,8 @@ def write(material: bpy.types.Material, record: Record) -> None:
         node = material.node_tree.nodes.new("ShaderNodeGroup")
         node.width = NODE_WIDTH
     write_node(material.node_tree, node, record)
-    set_refraction(material, model_of_group(record.group).refracts)
+    model = model_of_group(record.group)
+    set_refraction(material, model.refracts, model.sheet(record.parameters))
     material[RECORD_KEY] = record.to_json()
     _show_in_viewport(material, record)
 

@@ -43,10 +43,10 @@ MODEL = Model(
     citation="M. Born, E. Wolf, Principles of Optics, 7th edition, 1999",
     parameters=Clear,
     groups=(
-        Group("clear_fast", "Clear Standard", 2, "fast.build",
+        Group("clear_fast", "Clear Standard", 3, "fast.build",
               "Glass, liquids and gems of one index of refraction, coloured by the way through them",
               stand_in="clear_eevee"),
-        Group("clear_dispersive", "Clear Dispersive", 2, "dispersive.build",
+        Group("clear_dispersive", "Clear Dispersive", 3, "dispersive.build",
               "Glass and gems with the colours of the rainbow, each refracted by its own index",
               stand_in="clear_eevee"),
         Group("clear_eevee", "Clear EEVEE", 1, "fast.build_eevee", "What EEVEE shows of clear materials",
@@ -65,4 +65,5 @@ MODEL = Model(
     standin=_standin,
     measured=True,
     refracts=True,
+    sheet=lambda parameters: parameters.walls == "thin",
 )

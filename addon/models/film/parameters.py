@@ -65,6 +65,7 @@ TABLE = (
     Number(name="thickness", symbol="d", socket="Thickness", key="d", default=60.0, low=0.0, high=THICKEST, unit="nm",
            tip="Thickness d in nanometres of what varies in the stack; beyond the table it is the table's end"),
     Number(name="roughness", symbol="√m", socket="Roughness", default=0.3, low=0.0, high=1.0, subtype="FACTOR",
+           never_zero=True,
            tip="Its square is the rms slope m of the facets: 0.3 is polished, 0.45 satin, 0.7 rough"),
     Colour(name="tint", socket="Tint", default=(1.0, 1.0, 1.0), low=0.0, high=1.0,
            tip="Dyes what the film reflects, and the diffuse part; what passes through stays as it is"),
