@@ -34,7 +34,7 @@ STAMP = FOLDER / "stamp.json"
 CATALOGUE_FILE = FOLDER / "blender_assets.cats.txt"
 AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
-PREVIEW, LEVELS = 64, 31
+PREVIEW, LEVELS = 96, 31
 """Of an asset's preview: pixels across, as a tile of the shelf has, and steps of a channel.  The pictures of all
 assets are most of the library; larger ones are in addon/thumbnails.
 """

@@ -74,7 +74,7 @@ def conductor_blender_4_5(cos_theta, n, k):
     return 0.5 * (r_parallel + r_perpendicular)
 
 
-@term("F")
+@part("Dielectric F")
 def dielectric(cos_theta, n):
     """Reflectance of a surface of index n that absorbs nothing.
 

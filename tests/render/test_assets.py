@@ -55,7 +55,7 @@ def test_every_preset_and_group_is_an_asset_with_all_that_belongs_to_it(empty):
         assert about.author == build_assets.AUTHOR and about.license == "CC0-1.0", asset.name
         assert about.catalog_id in catalogues, asset.name
         assert len(about.tags) >= 2, asset.name
-        assert tuple(asset.preview.image_size) in {(64, 64)}, asset.name
+        assert tuple(asset.preview.image_size) in {(96, 96)}, asset.name
     assert all(material.asset_data.description for material in assets.materials
                if materials.model_of(material).name == "layered_rgb")
 

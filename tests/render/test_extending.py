@@ -94,7 +94,7 @@ def test_it_is_listed_and_found(lambert, capsys):
 
 def test_the_panel_offers_it_and_shows_its_parameters(lambert):
     assert picker.search("tinted chalk") == [("tinted_chalk", "Tinted chalk")]
-    assert ("tinted_chalk", "Tinted chalk · blackboard chalk") in [item[:2] for item in search_items.items()]
+    assert ("tinted_chalk", "blackboard chalk ▸ Tinted chalk") in [item[:2] for item in search_items.items()]
     target = bpy.data.objects.new("Target", bpy.data.meshes.new("Target"))
     bpy.context.scene.collection.objects.link(target)
     bpy.context.view_layer.objects.active = target

@@ -48,7 +48,7 @@ def session():
     button = yield from find(properties, "facet_film.search", across=(0.85,))
     yield from click(*button)
     yield 1.0
-    yield from write("titanium rainbow", button)
+    yield from write("anodised titanium", button)
     yield 0.7
     picture("search")
     yield from key("RET", button)

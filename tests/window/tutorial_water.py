@@ -11,7 +11,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import hands  # noqa: E402
 from hands import area_of, click, find, key, middle_of, picture, step, until, within, write  # noqa: E402
 
-BY_HAND = (("Glass", "clear glass low iron"), ("Surface", "water"), ("Wall", "water"))
+BY_HAND = (("Glass", "low iron"), ("Surface", "water"), ("Wall", "water"))
+
+MADE = {"Glass": "Clear glass, low iron", "Surface": "Water", "Wall": "Water"}
 
 
 def session():
@@ -49,10 +51,14 @@ def session():
         picture(f"search_{name}")
         yield from key("RET", button)
         yield from until(lambda name=name: bpy.data.objects[name].active_material, f"{name} has a material")
+        assert bpy.data.objects[name].active_material.name.startswith(MADE[name])
         yield 1.0
     assert len({bpy.data.objects[name].active_material for name, _ in BY_HAND}) == 3
 
     step("type what the wall is against")
+    with within(properties):
+        bpy.ops.view2d.scroll_down(page=True)
+    yield 1.0
     field = yield from find(properties, outside_path(), across=(0.75,))
     picture("wall_before")
     hands.move(*field)

@@ -108,7 +108,8 @@ class FACET_FILM_OT_search(OnObjects, bpy.types.Operator):
 
     def execute(self, context):
         """Apply what was chosen."""
-        return _apply(self, context, lambda: self.preset, TO[0][0])
+        from ..assets.search_items import preset_of_item
+        return _apply(self, context, lambda: preset_of_item(self.preset), TO[0][0])
 
 
 class FACET_FILM_OT_drop(_OfAsset, bpy.types.Operator):

@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from ...operands import absolute, dot, less, maximum, minimum, where, widen
+from ...operands import absolute, dot, less, maximum, minimum, part, where, widen
 from ...reflectance.transmission import cos_inside, slab_reflectance, slab_transmittance, straight_path, transmittance
 from .formulas import reflectance, relative_index, sigma_of
 
@@ -27,6 +27,7 @@ def absorbed(at):
     return transmittance(at.sigma, widen(at.back * at.length))
 
 
+@part("Thin Wall")
 def sheet(builder, sockets, at):
     """The closure of a thin wall: both faces and the passages between them as one."""
     thickness = sockets.thickness / sockets.scene_scale
@@ -41,6 +42,7 @@ def sheet(builder, sockets, at):
         return builder.add_shaders(through, mirror)
 
 
+@part("See-through Shadows")
 def with_straight_shadows(builder, sockets, at, closure):
     """The closure, but for shadow and diffuse rays: what passes goes straight on, dimmed by surface and body.
 
