@@ -4,7 +4,7 @@ The table is looked up a spread of V·H above and below its mean over the facets
 that V sees: see addon.reflectance.film_facets.
 """
 
-from ...reflectance.film_facets import tilted_lobes, two_looks
+from ...reflectance.film_facets import seen_along, tilted_lobes, two_looks
 from .surface import Surface
 
 __all__ = ["build", "build_eevee"]
@@ -13,9 +13,10 @@ __all__ = ["build", "build_eevee"]
 def build(builder):
     """Build the group."""
     surface = Surface(builder, "fast")
-    lobes = tilted_lobes(surface.n, surface.v, surface.m, surface.look)
-    closures = [surface.glossy(colour, normal, surface.sockets.roughness) for colour, normal in lobes]
-    reflected = two_looks(surface.n_v, surface.m, surface.look).mean
+    s = surface.sockets
+    m, towards = seen_along(surface.n, surface.v, surface.m, surface.tangent, s.rotation, s.anisotropy)
+    closures = [surface.lobe(*lobe) for lobe in tilted_lobes(surface.n, surface.v, m, surface.look, towards)]
+    reflected = two_looks(surface.n_v, m, surface.look).mean
     builder.output("BSDF", surface.closures(*closures, reflected=reflected))
 
 
@@ -23,5 +24,4 @@ def build_eevee(builder):
     """Build the group for EEVEE, which draws a lobe at random of several: one lobe, of their mean colour."""
     surface = Surface(builder, "fast", closest=True)
     colour = two_looks(surface.n_v, surface.m, surface.look).mean
-    builder.output("BSDF", surface.closures(
-        surface.glossy(colour, surface.n, surface.sockets.roughness), reflected=colour))
+    builder.output("BSDF", surface.closures(surface.lobe(colour, surface.n), reflected=colour))
