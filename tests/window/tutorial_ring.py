@@ -13,8 +13,10 @@ from hands import area_of, click, drag, find, key, middle_of, picture, region_of
 ROW, ARROW = 26, 21
 """Pixels from one row of the panel Surface to the next, and from its left to the arrows that show what feeds a row."""
 
-FIRST_SOCKET, SOCKET = 35, 22
-"""From the top of a node to its first socket, and from one to the next."""
+FIRST_SOCKET, SOCKET, CHOICE = 35, 22, 26
+"""From the top of a node to its first socket, from one to the next, and what the choice of the group takes between its
+outputs and its inputs.
+"""
 
 
 def session():
@@ -60,8 +62,10 @@ def session():
     picture("ring")
 
     step("open the thickness, and make its greatest less")
-    specular = yield from find(properties, "inputs[2].default_value", across=(0.65,))
-    yield from click(region_of(properties).x + ARROW, specular[1] + 2 * ROW)
+    names = [socket.name for socket in node_of("Film Standard").inputs]
+    specular = names.index("Specular")  # which the card above does not show as well
+    _, y = yield from find(properties, f"inputs[{specular}].default_value", across=(0.65,))
+    yield from click(region_of(properties).x + ARROW, y + ROW * (specular - names.index("Thickness")))
     yield 1.0
     slider = yield from find(properties, greatest().path_from_id("default_value"), across=(0.75,))
     yield from drag(slider, (slider[0] - 60, slider[1]))
@@ -86,16 +90,16 @@ def by_volts(view):
     yield 1.5
     yield from key("RET", at)
     yield 0.5
-    yield from click(*at)
+    yield from click(region.x + 10, region.y + region.height // 4)
     yield from until(lambda: node_of("Film Anodising") is not None, "the group is there")
     yield 1.0
     volts, film = node_of("Film Anodising"), node_of("Film Standard")
     start = place_of(region, volts, volts.width, FIRST_SOCKET)
-    end = place_of(region, film, 0.0, FIRST_SOCKET + SOCKET * len(film.outputs))
-    picture("before_the_line")
+    end = place_of(region, film, 0.0, FIRST_SOCKET + SOCKET * len(film.outputs) + CHOICE)
     yield from drag(start, end)
     yield from until(lambda: feeds_thickness() == "Film Anodising", "volts feed the thickness")
-    yield 4.0
+    yield from key("HOME", at)
+    yield 2.0
     picture("volts")
 
 
