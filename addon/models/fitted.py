@@ -9,7 +9,7 @@ import numpy as np
 
 __all__ = ["UP", "Form", "Guess"]
 
-SMOOTHEST, ROUGHEST = 0.004, 1.0
+SMOOTHEST = 0.004
 LEAST_SHARE, MOST_SHARE = 1e-3, 0.9995
 MOST_LOGIT = 7.0
 UP = np.array([0.0, 0.0, 1.0])
@@ -43,12 +43,14 @@ class Form:
     low, high     bounds of the numbers, ``(P,)``
     groups        the numbers that change f independently of each other: of a colour, each its channel
     tried         how many starts are
+    roughest      the largest slope
     """
 
     name = ""
     low_f: tuple = ()
     high_f: tuple = ()
     most_slopes = 3
+    roughest = 1.0
     tried = 2
 
     def __init__(self, model, slopes, distribution):
@@ -57,8 +59,8 @@ class Form:
         more = self.slopes - 1
         self.low = np.r_[np.zeros(3), np.repeat(self.low_f, 3), np.log(LEAST_SHARE), np.log(SMOOTHEST),
                          [np.log(SMOOTHEST), -MOST_LOGIT] * more]
-        self.high = np.r_[np.ones(3), np.repeat(self.high_f, 3), np.log(MOST_SHARE), np.log(ROUGHEST),
-                          [np.log(ROUGHEST), MOST_LOGIT] * more]
+        self.high = np.r_[np.ones(3), np.repeat(self.high_f, 3), np.log(MOST_SHARE), np.log(self.roughest),
+                          [np.log(self.roughest), MOST_LOGIT] * more]
         colours = [range(3 * row, 3 * row + 3) for row in range(1 + self.rows)]
         self.groups = [*map(tuple, colours), *((i,) for i in range(3 * (1 + self.rows), len(self.low)))]
 
@@ -107,6 +109,13 @@ class Form:
     def evaluate(self, p, v, l):
         """Model.evaluate of the numbers, ``(N, 3)``; the normal is z."""
         return self.model.evaluate(self.checked(p), UP, v, l)
+
+    def standard(self, parameters, v, l, formula):
+        """What Standard renders of the model's parameters, ``(N, 3)``.
+
+        formula  the conductor Fresnel of the renderer's closures, a name of addon.bake.baking.FORMULAS
+        """
+        return self.model.evaluate(parameters, UP, v, l)
 
     def starts(self, guess):
         """The numbers to start from, of a Guess."""

@@ -35,21 +35,29 @@ def build(builder):
     surface = Surface(builder, "exact")
     with builder.frame("Width > 0"):
         has_width = less(0.0, surface.sockets.width)
-    share, lean = native_lobe(surface.n_v, surface.m)
-    middle, floor = _looks(surface)
+    first = _lobes(surface, surface.m, has_width)
+    with builder.frame("Slope 2"):
+        second = _lobes(surface, surface.second, has_width)
+    builder.output("BSDF", surface.closures(surface.mixed(first, second), reflected=surface.look(surface.n_v)))
+
+
+def _lobes(surface, m, has_width):
+    """The lobe about a drawn facet, and the native one under it."""
+    builder = surface.builder
+    share, lean = native_lobe(surface.n_v, m)
+    middle, floor = _looks(surface, m)
     with builder.frame("Native lobe"):
         native = floor * widen(has_width * HEADROOM * share)
-        under = surface.glossy(native, surface.n + widen(lean) * surface.v, sqrt(native_slope(surface.m)))
+        under = surface.glossy(native, surface.n + widen(lean) * surface.v, sqrt(native_slope(m)))
     with builder.frame("Roulette"):
         probability = where(has_width, _kept(middle, share, floor), 1.0)
         shown = less(builder.random(ROULETTE), probability)
-    drawn = builder.scale_shader(shown, _drawn(surface, has_width, native, lean, probability))
-    builder.output("BSDF", surface.closures(drawn, under, reflected=surface.look(surface.n_v)))
+    return builder.scale_shader(shown, _drawn(surface, m, has_width, native, lean, probability)), under
 
 
-def _looks(surface):
+def _looks(surface, m):
     """(look at the mean of V·H, what is least of three looks around it by channel)."""
-    mean, spread = mean_v_h(surface.n_v, surface.m), spread_v_h(surface.n_v, surface.m)
+    mean, spread = mean_v_h(surface.n_v, m), spread_v_h(surface.n_v, m)
     middle = surface.look(mean)
     return middle, minimum(middle, surface.look(mean + APART * spread), surface.look(mean + (-APART) * spread))
 
@@ -64,9 +72,9 @@ def _brightest(colour):
     return maximum(x_of(colour), y_of(colour), z_of(colour))
 
 
-def _drawn(surface, has_width, native, lean, probability):
+def _drawn(surface, m, has_width, native, lean, probability):
     """The Glossy BSDF about a drawn facet, with what the native lobe leaves of f."""
-    builder, m, width = surface.builder, surface.m, surface.sockets.width
+    builder, width = surface.builder, surface.sockets.width
     with builder.frame("Draw"):
         tilt, azimuth, side = builder.three_randoms(FACET)
         narrow, wide = narrow_slope(m, width), wide_slope(m, width)
