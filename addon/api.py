@@ -52,10 +52,11 @@ def create_material(model: str | None = None, *, preset: Any = None, realisation
     model        a name of MODELS; by default that of the preset, else "cook_torrance"
     preset       preset's name or alias; or a dataset, a file of yours or OpticalConstants; None for the parameters
                  alone
-    realisation  "fast" or "standard" (native closures), "exact" or "reference" (the formula, nodes alone), "osl" (the
-                 formula, by OSL), "osl_fast" (closures, by OSL), "dispersive" (of clear materials: with the colours of
-                 the rainbow); by default the one that the preset is meant for, else "fast".  Where Open Shading
-                 Language is off, a material by OSL shows "exact" or "fast" instead, and a warning says so
+    realisation  "standard" (clean and fast), "reference" (the published formula itself, slower and noisier), "osl" (the
+                 formula as an OSL script), "osl_standard" (Standard as an OSL script), "dispersive" (of clear
+                 materials: with the colours of the rainbow); by default the one that the preset is meant for, else
+                 "standard".  Where Open Shading Language is off, a material by OSL shows "reference" or "standard"
+                 instead, and a warning says so.  Files know them as "fast", "exact" and "osl_fast", which go as well
     name         of the new material; by default the preset's title
     material     an existing bpy.types.Material to be made over, in place of a new one
     viewing      options of :func:`bake` as a dict: illuminant, observer, space, adapt, gamut; for what is measured
@@ -101,7 +102,7 @@ def switch_realisation(material: bpy.types.Material, realisation: str) -> None:
     """Render one of our materials by another realisation; everything that the user set stays.
 
     material     a bpy.types.Material made by :func:`create_material`
-    realisation  "fast" or "standard", "exact" or "reference", "osl" or "osl_fast"
+    realisation  "standard", "reference", "osl", "osl_standard" or, of clear materials, "dispersive"
 
     Where n and k are still as baked and the other realisation evaluates another
     Fresnel formula (Blender 4.5), they are baked again for it.  Raises

@@ -20,7 +20,7 @@ __all__ = [
     "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
     "minimum", "maximum", "clip", "less", "where", "lookup",
     "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
-    "term",
+    "part", "term",
 ]
 
 
@@ -224,3 +224,32 @@ def term(symbol):
                 return formula(*operands, **options)
         return named
     return decorate
+
+
+def part(name, *gives):
+    """Name the node group that a formula builds, for what stands in a material more than once or is a step by itself.
+
+    name   what people call it
+    gives  names of its results, where it has several in a tuple
+
+    The formula's arguments become the group's sockets.  It may be handed the group under construction as well, to build
+    nodes of its own; with numbers alone it is just the formula.
+    """
+    def decorate(formula):
+        @functools.wraps(formula)
+        def grouped(*operands, **options):
+            builder = _builder([*operands, *options.values()])
+            if builder is None:
+                return formula(*operands, **options)
+            return builder.part(name, formula, gives, operands, options)
+        return grouped
+    return decorate
+
+
+def _builder(operands):
+    """The group under construction that operands belong to, or None for numbers."""
+    for operand in operands:
+        if hasattr(operand, "part_node"):
+            return operand
+    node = _nodes(_with_members(operands))
+    return None if node is None else node.builder

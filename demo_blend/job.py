@@ -101,11 +101,11 @@ class Job:
         from .progress import render_with_progress
         render_with_progress(scene, path, f"{self.heading() if self.heading else ''}{title}", shown=False)
 
-    def write(self, picture, name):
-        """Write a picture for the documents; the name says whether .jpg or .png."""
+    def write(self, picture, name, **size):
+        """Write a picture for the documents; the name says whether .jpg or .png.  `size` as pictures.write has it."""
         from . import pictures
         self.pictures.mkdir(parents=True, exist_ok=True)
-        self.written.append(pictures.write(picture, self.pictures / name, self.generator))
+        self.written.append(pictures.write(picture, self.pictures / name, self.generator, **size))
 
     def save_scene(self, name):
         """Save the open file, packed small, to open in Blender."""

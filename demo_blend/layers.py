@@ -1,6 +1,6 @@
 """Granier and Heidrich 2003, figures 2 to 5: layers on a turned jar.
 
-By Exact, the formula itself; three luminous balls and a dim sky light the jar.
+By Reference, the formula itself; three luminous balls and a dim sky light the jar.
 """
 
 from .job import Figure

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib import get_data_path
 from PIL import Image, ImageDraw, ImageFont
 
-__all__ = ["read", "labelled", "annotated", "row", "column", "strip", "write", "INK", "PAPER"]
+__all__ = ["read", "labelled", "annotated", "face", "row", "column", "strip", "write", "INK", "PAPER"]
 
 INK = (232, 232, 230)
 PAPER = (24, 25, 28)
@@ -28,9 +28,9 @@ def labelled(picture, text, *, size=None):
     below = Image.new("RGB", (columns, int(size * (1.45 * len(lines) + 0.9))), PAPER)
     draw = ImageDraw.Draw(below)
     for j, line in enumerate(lines):
-        face = _font(line, size if j == 0 else max(6, int(size * 0.86)), columns - size, bold=j == 0)
+        type_face = face(line, size if j == 0 else max(6, int(size * 0.86)), columns - size, bold=j == 0)
         draw.text((columns / 2, size * (1.15 + 1.45 * j)), line, INK if j == 0 else (170, 172, 175),
-                  font=face, anchor="mm")
+                  font=type_face, anchor="mm")
     return np.concatenate([picture, np.asarray(below)], axis=0)
 
 
@@ -40,16 +40,16 @@ def annotated(picture, labels, *, size):
     draw = ImageDraw.Draw(image)
     for text, x, y in labels:
         draw.text((x * image.width, (1.0 - y) * image.height), text, INK, anchor="mm",
-                  font=_font(text, max(6, round(size)), image.width, bold=False))
+                  font=face(text, max(6, round(size)), image.width, bold=False))
     return np.asarray(image)
 
 
-def _font(line, size, width, bold):
-    """The face at this size, or smaller where the line would not fit."""
+def face(line, size, width, bold=False):
+    """The type at this size, or smaller where the line would not fit."""
     path = Path(get_data_path()) / "fonts" / "ttf" / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")
-    face = ImageFont.truetype(path, size)
-    length = face.getlength(line)
-    return face if length <= width else ImageFont.truetype(path, max(6, int(size * width / length)))
+    found = ImageFont.truetype(path, size)
+    length = found.getlength(line)
+    return found if length <= width else ImageFont.truetype(path, max(6, int(size * width / length)))
 
 
 def row(pictures, gap=6):
@@ -81,7 +81,7 @@ def _filled(picture, below, right):
     return padding
 
 
-def write(picture, path, generator):
+def write(picture, path, generator, most_bytes=MOST_BYTES):
     """Write a .jpg or .png that names its generator; a .jpg at the best quality that stays small."""
     path = Path(path)
     note = f"Made by {generator}"
@@ -94,6 +94,6 @@ def write(picture, path, generator):
         return path
     for quality in (93, 90, 86, 80, 72):
         image.save(path, quality=quality, subsampling=0, optimize=True, comment=note.encode())
-        if path.stat().st_size <= MOST_BYTES:
+        if path.stat().st_size <= most_bytes:
             break
     return path

@@ -1,4 +1,4 @@
-"""The same materials by Fast, Exact and OSL, and by two Blenders, with the difference pictures and figures.
+"""The same materials by Standard, Reference and OSL, and by two Blenders, with the difference pictures and figures.
 
 Nothing here is denoised: the differences would be the denoiser's.
 """
@@ -17,7 +17,7 @@ from .pictures import column, labelled, row, strip
 
 MATERIALS = (("copper of figure 6b", "cook_torrance", {"preset": "figure_6b"}),
              ("layers of figure 5, 92 nm", "layered_rgb", {"preset": "figure_5_79_106_nm", "thickness": 92.0}))
-REALISATIONS = (("fast", "Fast"), ("exact", "Exact"), ("osl", "OSL"))
+REALISATIONS = (("fast", "Standard"), ("exact", "Reference"), ("osl", "OSL"))
 BRIGHTER = 5.0
 """Differences are shown this many times as large, about a middle grey."""
 
@@ -57,7 +57,7 @@ def compared(reference, other):
 
 
 def realisations(job):
-    """Each material by each realisation, and what Fast and Exact differ from OSL by."""
+    """Each material by each realisation, and what Standard and Reference differ from OSL by."""
     size = max(1, round(14 * job.scale))
     rows = []
     for title, model, options in MATERIALS:
@@ -72,7 +72,7 @@ def realisations(job):
 
 
 def versions(job):
-    """Each material by Exact in this Blender and in the other."""
+    """Each material by Reference in this Blender and in the other."""
     if not job.other:
         raise RuntimeError("needs a second Blender: --other PYTHON, which make figures sets up where its Python is "
                            "there")
@@ -95,12 +95,12 @@ def versions(job):
 
 
 def _in_this_blender(job):
-    return {title: rendered(job, model, options, "exact", f"{title}, Exact")
+    return {title: rendered(job, model, options, "exact", f"{title}, Reference")
             for title, model, options in MATERIALS}
 
 
 FIGURES = (
-    Figure("side_by_side_realisations", "Fast, Exact and OSL side by side", 450.0, realisations),
+    Figure("side_by_side_realisations", "Standard, Reference and OSL side by side", 450.0, realisations),
     Figure("side_by_side_versions", "Two Blenders side by side", 230.0, versions),
 )
 

@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-__all__ = ["VASE_PROFILE", "JAR_PROFILE", "turned_object"]
+__all__ = ["VASE_PROFILE", "JAR_PROFILE", "bent_rod", "turned_object"]
 
 # (radius, height) of the outer wall from foot to lip, then the inner wall back down.
 VASE_PROFILE = (
@@ -43,6 +43,23 @@ def turned_object(name, profile, material, *, segments=192, points_between=6):
     turned = bpy.data.objects.new(name, mesh)
     bpy.context.scene.collection.objects.link(turned)
     return turned
+
+
+def bent_rod(name, points, radius, material):
+    """A round rod along a smooth curve through the points, its ends closed."""
+    curve = bpy.data.curves.new(name, "CURVE")
+    curve.dimensions, curve.bevel_depth, curve.bevel_resolution = "3D", radius, 8
+    curve.use_fill_caps = True
+    curve.resolution_u = 8
+    line = curve.splines.new("BEZIER")
+    line.bezier_points.add(len(points) - 1)
+    for bezier, point in zip(line.bezier_points, points):
+        bezier.co = point
+        bezier.handle_left_type = bezier.handle_right_type = "AUTO"
+    curve.materials.append(material)
+    rod = bpy.data.objects.new(name, curve)
+    bpy.context.scene.collection.objects.link(rod)
+    return rod
 
 
 def _smooth(points, count):

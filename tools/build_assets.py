@@ -2,9 +2,9 @@
 
     python tools/build_assets.py [--again]
 
-It holds every preset but near duplicates as a material that renders by Fast; every node group of the Add menu but those
-of OSL, whose compiled code belongs to one Blender version, and a Fresnel ramp. A film whose image and copy of a group
-no other shares would weigh 80 kB: the library holds a stand-in, which the extension bakes when it is brought in.
+It holds every preset but near duplicates as a material that renders by Standard; every node group of the Add menu but
+those of OSL, whose compiled code belongs to one Blender version, and a Fresnel ramp. A film whose image and copy of a
+group no other shares would weigh 80 kB: the library holds a stand-in, which the extension bakes when it is brought in.
 All have the previews of addon/thumbnails (tools/render_previews.py), catalogues, tags, author and licence.  n and k are
 for the exact conductor Fresnel; in Blender 4.5, which evaluates another, the extension bakes again what is brought in.
 """
@@ -34,7 +34,7 @@ STAMP = FOLDER / "stamp.json"
 CATALOGUE_FILE = FOLDER / "blender_assets.cats.txt"
 AUTHOR = "The Facet & Film developers"
 LICENCE = "CC0-1.0"
-PREVIEW, LEVELS = 64, 31
+PREVIEW, LEVELS = 96, 31
 """Of an asset's preview: pixels across, as a tile of the shelf has, and steps of a channel.  The pictures of all
 assets are most of the library; larger ones are in addon/thumbnails.
 """

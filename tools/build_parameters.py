@@ -10,6 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
 from addon import models  # noqa: E402
+from addon.models.realisations import REALISATIONS  # noqa: E402
 
 __all__ = ["FILE", "text"]
 
@@ -44,7 +45,8 @@ def _section(model):
 
 def _cells(row):
     sockets = ", ".join(socket.name for socket in row.sockets())
-    limited = f" Only by {' and '.join(row.realisations)}." if row.realisations else ""
+    titles = " and ".join(REALISATIONS[name].title for name in row.realisations or ())
+    limited = f" Only by {titles}." if titles else ""
     unit = f" {row.unit}" if row.unit else ""
     default = _value(getattr(row, "usual", row.default))
     return (f"`{row.name}`", row.symbol, sockets, default, row.range_text() + unit, row.tip + "." + limited)

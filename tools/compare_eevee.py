@@ -1,4 +1,4 @@
-"""Hold EEVEE with the Fast materials against Cycles: the same spheres, their colours and a picture side by side.
+"""Hold EEVEE with the Standard materials against Cycles: the same spheres, their colours and a picture side by side.
 
     blender --python tools/compare_eevee.py -- out
 

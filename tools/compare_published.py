@@ -1,4 +1,4 @@
-"""Writes the comparison with published fits of docs/measured_brdfs.md: Cook-Torrance's model fitted to MERL's materials.
+"""Writes the comparison with published fits of docs/measured_brdfs.md: Cook and Torrance's model on MERL's materials.
 
     python tools/compare_published.py FOLDER        (needs h5py)
 

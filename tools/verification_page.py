@@ -5,9 +5,15 @@
 
 import argparse
 import json
+import sys
 from pathlib import Path
 
-OUT = Path(__file__).resolve().parent.parent / "docs" / "verification.md"
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from addon.verify.report import realisation_title  # noqa: E402
+
+OUT = ROOT / "docs" / "verification.md"
 MODELS = {"cook_torrance": "Cook–Torrance", "layered_rgb": "Layered RGB", "data": "Measured data"}
 HEAD = """# Verification
 
@@ -47,7 +53,7 @@ def rows(records, model):
             found = [figure_of(record, check, figure["name"]) for record in records]
             limits = {f"{f['limit']:.3g}" for f in found if f}
             name = figure["name"].replace("|", "\\|")
-            lines.append(f"| {check['realisation']} | {check['name']} | {name} | "
+            lines.append(f"| {realisation_title(check['realisation'])} | {check['name']} | {name} | "
                          f"{', '.join(sorted(limits))} | {' | '.join(map(number, found))} |")
     return "\n".join(lines)
 

@@ -26,7 +26,7 @@ FURNACE_DEGREES = np.arange(0.0, 85.0, 12.0)
 SHOWN = 0.02
 LEAST_N_V = 0.1
 SAMPLING_WIDTH = 0.2
-"""Of the Reference where none is given, as Cook-Torrance Exact's."""
+"""Of the Reference where none is given, as Cook-Torrance Reference's."""
 VIEW = np.array([0.0, 0.0, 1.0])
 
 

@@ -14,7 +14,9 @@ DEFAULT = "nearest"
 TOLERANCE = 2e-4
 """How far outside [0, 1] is no more than the rounding of a white to four digits."""
 ROUNDS, SWEEPS = 3, 60
-"""Of taking the metric anew, and of going through the channels."""
+"""Of taking the metric anew, and of going through the channels: at most."""
+SETTLED = 1e-9
+"""What no channel moves by any more."""
 
 
 class GamutReport(NamedTuple):
@@ -74,9 +76,12 @@ def _least_in_the_box(target, metric):
     """The x in [0, 1]³ with the least (x − target)·metric·(x − target), ``(A, 3)`` of ``(A, 3)`` and ``(A, 3, 3)``."""
     x = np.clip(target, 0.0, 1.0)
     for _ in range(SWEEPS):
-        for i in range(3):
-            others = np.einsum("aj,aj->a", metric[:, i], x - target) - metric[:, i, i] * (x[:, i] - target[:, i])
-            x[:, i] = np.clip(target[:, i] - others / metric[:, i, i], 0.0, 1.0)
+        before = x.copy()
+        for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            others = metric[:, i, j] * (x[:, j] - target[:, j]) + metric[:, i, k] * (x[:, k] - target[:, k])
+            x[:, i] = (target[:, i] - others / metric[:, i, i]).clip(0.0, 1.0)
+        if np.abs(x - before).max() < SETTLED:
+            break
     return x
 
 

@@ -61,8 +61,11 @@ def enable_nodes(material):
         material.use_nodes = True
 
 
-def set_refraction(material, refracts):
-    """Tell EEVEE whether light passes through a material, and that the body is as thick as a ball of its size."""
+def set_refraction(material, refracts, sheet=False):
+    """Tell EEVEE whether light is bent by a material, and that the body is as thick as a ball of its size; or that it
+    is one sheet, whose colour EEVEE keeps only where it blends.
+    """
+    material.surface_render_method = "BLENDED" if sheet else "DITHERED"
     material.use_raytrace_refraction = refracts
     if refracts:
         material.thickness_mode = "SPHERE"

@@ -3,8 +3,7 @@
 import bpy
 
 from . import settings, translations
-from .assets import imported, library, names, search_items, thumbnails
-from .datablocks import groups, menu
+from .assets import imported
 from .exporters import usd
 from .operators import (
     add_group,
@@ -68,6 +67,8 @@ def unregister():
     bpy.utils.unregister_cli_command(_commands.pop())
     for module in reversed(ATTACHED):
         module.detach()
+    from .assets import library, names, search_items, thumbnails
+    from .datablocks import groups, menu
     for module in (load_ahead, choose, search_items, names, groups, menu):
         module.forget()
     thumbnails.clear()

@@ -1,6 +1,6 @@
 """A material as a MaterialX document of standard nodes, with nothing but Python's own library.
 
-The material is what Cook-Torrance Fast is in Cycles: s·Σ wj·mirror(mj) +
+The material is what Cook-Torrance Standard is in Cycles: s·Σ wj·mirror(mj) +
 d·diffuse, once with a conductor_bsdf by n and k and once with a
 generalized_schlick_bsdf by F0 and F82 tint.  MaterialX's only distribution is
 GGX; its roughness is the facets' rms slope m.  Beside them, and for models

@@ -1,7 +1,7 @@
 """Brushed straight: streaks around the object, and straight ones on the faces square to the axis."""
 
 from ..models.parameters import add_inputs
-from ..operands import cross, dot, less, normalize, vector, where, x_of, y_of, z_of
+from ..operands import cross, dot, less, normalize, part, vector, where, x_of, y_of, z_of
 from .place import on_map, place, to_world
 from .streaks import DRIVES, ends, mixed, on_surface, output, streak, table, unit_axis
 
@@ -17,14 +17,23 @@ def build(builder):
     """Build the group."""
     s = add_inputs(builder, TABLE)
     n, at, axis = builder.normal(s.normal), place(builder, s), unit_axis(s)
-    with builder.frame("Sides"):
-        upright = where(less(0.5, s.uv), ACROSS_THE_MAP, axis)
-        side = streak(builder, s, at, dot(at, upright), upright)
-        _, v = on_map(builder, n)
-        across = on_surface(n, where(less(0.5, s.uv), v, to_world(builder, axis)))
-    with builder.frame("Ends"):
-        aside = normalize(cross(axis, vector(z_of(axis), x_of(axis), y_of(axis))))
-        end = streak(builder, s, at, dot(at, aside), aside)
-        across_end = on_surface(n, to_world(builder, aside))
-        share = ends(builder, n, axis) * less(s.uv, 0.5)
+    side, across = _sides(builder, s, n, at, axis)
+    end, across_end, share = _ends(builder, s, n, at, axis)
     output(builder, s, n, mixed(side, end, share), normalize(mixed(across, across_end, share)))
+
+
+@part("Brushed Sides", "streaks", "across")
+def _sides(builder, s, n, at, axis):
+    """(streaks around the axis, the direction across them)."""
+    upright = where(less(0.5, s.uv), ACROSS_THE_MAP, axis)
+    _, v = on_map(builder, n)
+    across = on_surface(n, where(less(0.5, s.uv), v, to_world(builder, axis)))
+    return streak(builder, s, at, dot(at, upright), upright), across
+
+
+@part("Brushed Ends", "streaks", "across", "share")
+def _ends(builder, s, n, at, axis):
+    """(straight streaks on the faces square to the axis, the direction across them, 1 on those faces)."""
+    aside = normalize(cross(axis, vector(z_of(axis), x_of(axis), y_of(axis))))
+    share = ends(builder, n, axis) * less(s.uv, 0.5)
+    return streak(builder, s, at, dot(at, aside), aside), on_surface(n, to_world(builder, aside)), share

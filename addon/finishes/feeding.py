@@ -91,7 +91,7 @@ def _alike(a, b):
 
 def _module(group):
     """What makes the group with this id."""
-    from . import GROUPS
+    from .groups import GROUPS
     build = next(found.build for found in GROUPS if found.identifier == group)
     return import_module("." + build.partition(".")[0], __package__)
 

@@ -1,7 +1,8 @@
-"""The finishes, and what each says of a surface."""
+"""The finishes, and what each says of a surface.  Read when Blender starts, so it loads nothing."""
 
-import dataclasses
 from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
 
 from ..errors import FacetFilmError, choice
 
@@ -10,8 +11,7 @@ __all__ = ["Finish", "all_finishes", "find", "names", "of_group"]
 WARD = "G. J. Ward, SIGGRAPH 1992, Table 1"
 
 
-@dataclasses.dataclass(frozen=True)
-class Finish:
+class Finish(NamedTuple):
     """What was done to a surface.
 
     name        what scripts call it
@@ -33,7 +33,7 @@ class Finish:
     chosen: bool = False
     anisotropy: float = 0.0
     group: str = ""
-    controls: Mapping = dataclasses.field(default_factory=dict)
+    controls: Mapping = MappingProxyType({})
 
     @property
     def roughness(self):

@@ -1,7 +1,7 @@
 """Where a finish's marks are, and along which direction: what all groups of finishes share."""
 
 from ..models.parameters import Direction, Number, Slider
-from ..operands import clip, cross, dot, length, less, normalize, vector, where
+from ..operands import clip, cross, dot, length, less, normalize, part, vector, where
 
 __all__ = ["COORDINATES", "NORMAL", "ROUGHNESS", "band", "between", "depth", "eased", "noise", "on_map",
            "place", "scale", "tilted", "to_object", "to_world"]
@@ -37,11 +37,15 @@ def depth(default, what):
 
 def place(builder, sockets):
     """The coordinates of the marks under the sockets' settings."""
-    with builder.frame("Coordinates"):
-        own = builder.node("ShaderNodeTexCoord", output="Object") * _size(builder)
-        own = where(less(0.5, sockets.uv), builder.node("ShaderNodeTexCoord", output="UV"), own)
-        given = sockets.coordinates
-        return where(less(dot(given, given), NOTHING), own, given)
+    return _coordinates(builder, sockets.uv, sockets.coordinates)
+
+
+@part("Coordinates")
+def _coordinates(builder, uv, given):
+    """Those of the object or of its UV map, where none are given."""
+    own = builder.node("ShaderNodeTexCoord", output="Object") * _size(builder)
+    own = where(less(0.5, uv), builder.node("ShaderNodeTexCoord", output="UV"), own)
+    return where(less(dot(given, given), NOTHING), own, given)
 
 
 def _size(builder):
@@ -88,6 +92,7 @@ def eased(x):
     return x * x * (3.0 - 2.0 * x)
 
 
+@part("Band")
 def band(x, low, high):
     """The same with level ends."""
     return eased(between(x, low, high))

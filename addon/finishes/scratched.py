@@ -3,7 +3,7 @@
 import math
 
 from ..models.parameters import Slider, add_inputs
-from ..operands import absolute, clip, cross, dot, less, maximum, normalize, sqrt, vector, x_of, y_of, z_of
+from ..operands import absolute, clip, cross, dot, less, maximum, normalize, part, sqrt, vector, x_of, y_of, z_of
 from .place import COORDINATES, NORMAL, ROUGHNESS, between, depth, place, scale, tilted, to_object, to_world
 
 __all__ = ["DRIVES", "TABLE", "build"]
@@ -49,12 +49,12 @@ def build(builder):
     bent = at + (_bend(builder, at, s) - (0.5, 0.5, 0.5)) * (BEND / s.scale)
     mask, slopes = 0.0, []
     for j, across in enumerate(sheet_normals(), 1):
-        with builder.frame(f"Set {j}"):
-            line, side = _set(builder, s, bent, facing, across, float(j))
-            mask = maximum(mask, line)
-            slopes.append((to_world(builder, across), s.depth * line * side))
+        aside = tuple(float(x) for x in normalize(cross(across, (across[1], across[2], across[0]))))
+        line, rise, direction = _set(builder, s, bent, facing, across, aside, float(j))
+        mask = maximum(mask, line)
+        slopes.append((direction, rise))
     with builder.frame("Surface"):
-        normal = tilted(n, *slopes)
+        normal = part("Scratched Normal")(tilted)(n, *slopes)
         rough = s.roughness + (s.scuffed - s.roughness) * mask
     builder.output("Roughness", clip(rough, 0.0, 1.0), description="Roughness, that of the scratches in them")
     builder.output("Normal", normal, description="Normal that the scratches tilt")
@@ -67,13 +67,31 @@ def _bend(builder, at, s):
                         noise_dimensions="3D")
 
 
-def _set(builder, s, at, facing, across, seed):
-    """(1 in the scratches of one set, the side of its middle from -1 to 1).
+@part("Set of Scratches", "line", "rise", "direction")
+def _set(builder, s, at, facing, across, aside, seed):
+    """(1 in the scratches of one set, how far they tilt the surface, and in which direction).
 
-    across  normal of its sheets in the axes of the coordinates
+    across, aside  normal of its sheets, and a direction in them, in the axes of the coordinates
     """
-    aside = tuple(float(x) for x in normalize(cross(across, (across[1], across[2], across[0]))))
     x, along = dot(at, across) * s.scale, dot(at, aside) * (0.35 * s.scale)
+    cell, drawn, along = _piece(builder, x, along, seed)
+    tilt = dot(facing, across)
+    steep = sqrt(maximum(1.0 - tilt * tilt, 0.0))
+    away = (x - cell - (0.1 + 0.8 * x_of(drawn))) / (s.width * maximum(steep, 0.05))
+    there = less(y_of(drawn), s.amount) * between(steep, 0.2, 0.4)
+    line = clip(1.0 - absolute(away), 0.0, 1.0) * there * _ends(along, z_of(drawn))
+    return line, s.depth * line * clip(away, -1.0, 1.0), to_world(builder, across)
+
+
+@part("Ends of a Scratch")
+def _ends(along, drawn):
+    """1 between the ends of a piece, whose length is drawn."""
+    return clip(8.0 * along, 0.0, 1.0) * clip(8.0 * (0.3 + 0.7 * drawn - along), 0.0, 1.0)
+
+
+@part("Piece of a Scratch", "sheet", "drawn", "along")
+def _piece(builder, x, along, seed):
+    """(the sheet, three numbers drawn for the piece of it, how far along the piece from 0 to 1)."""
     cell = builder.node("ShaderNodeMath", {"Value": x}, operation="FLOOR")
     start = builder.node("ShaderNodeTexWhiteNoise", {"Vector": vector(cell, seed, 0.0)}, "Value",
                          noise_dimensions="3D")
@@ -81,11 +99,4 @@ def _set(builder, s, at, facing, across, seed):
     piece = builder.node("ShaderNodeMath", {"Value": along}, operation="FLOOR")
     drawn = builder.node("ShaderNodeTexWhiteNoise", {"Vector": vector(cell, piece, seed)}, "Color",
                          noise_dimensions="3D")
-    middle = 0.1 + 0.8 * x_of(drawn)
-    tilt = dot(facing, across)
-    steep = sqrt(maximum(1.0 - tilt * tilt, 0.0))
-    away = (x - cell - middle) / (s.width * maximum(steep, 0.05))
-    there = less(y_of(drawn), s.amount) * between(steep, 0.2, 0.4)
-    along = along - piece
-    ends = clip(8.0 * along, 0.0, 1.0) * clip(8.0 * (0.3 + 0.7 * z_of(drawn) - along), 0.0, 1.0)
-    return clip(1.0 - absolute(away), 0.0, 1.0) * there * ends, clip(away, -1.0, 1.0)
+    return cell, drawn, along - piece

@@ -1,7 +1,7 @@
 """Smudged: fingerprints and the marks of wiping on a surface that is else smooth."""
 
 from ..models.parameters import Slider, add_inputs
-from ..operands import clip, dot, length, less, maximum, normalize, sin, vector, x_of, y_of, z_of
+from ..operands import clip, dot, length, less, maximum, normalize, part, sin, vector, x_of, y_of, z_of
 from .place import COORDINATES, NORMAL, ROUGHNESS, band, noise, place, scale
 
 __all__ = ["DRIVES", "TABLE", "build"]
@@ -34,32 +34,32 @@ def build(builder):
     builder.output("Mask", mask, description="1 where the surface is smudged")
 
 
+@part("Fingerprints")
 def _prints(builder, s, at):
     """Fingerprints: ovals of ridges that curve about points beside them."""
-    with builder.frame("Fingerprints"):
-        def cell(output):
-            return builder.node("ShaderNodeTexVoronoi", {"Vector": at, "Scale": s.scale, "Randomness": 0.9}, output,
-                                voronoi_dimensions="3D", feature="F1")
-        drawn = cell("Color")
-        local = (at - cell("Position")) * s.scale
-        finger = normalize(drawn - (0.5, 0.5, 0.5))
-        bent = builder.node("ShaderNodeTexNoise", {"Vector": at, "Scale": 1.6 * s.scale, "Detail": 1.0}, "Color",
-                            noise_dimensions="3D") - (0.5, 0.5, 0.5)
-        core = local + finger * 0.12 + bent * 0.16
-        ridges = band(sin(length(core - finger * (0.35 * dot(core, finger))) * RIDGES), -0.7, 0.7)
-        oval = length(local - finger * (0.4 * dot(local, finger)) + bent * 0.08)
-        pressed = band(noise(builder, at, 3.0 * s.scale, 3.0, 0.6), 0.25, 0.55) * band(oval, 0.3, 0.2)
-        return less(x_of(drawn), s.prints) * pressed * (0.35 + 0.65 * ridges)
+    def cell(output):
+        return builder.node("ShaderNodeTexVoronoi", {"Vector": at, "Scale": s.scale, "Randomness": 0.9}, output,
+                            voronoi_dimensions="3D", feature="F1")
+    drawn = cell("Color")
+    local = (at - cell("Position")) * s.scale
+    finger = normalize(drawn - (0.5, 0.5, 0.5))
+    bent = builder.node("ShaderNodeTexNoise", {"Vector": at, "Scale": 1.6 * s.scale, "Detail": 1.0}, "Color",
+                        noise_dimensions="3D") - (0.5, 0.5, 0.5)
+    core = local + finger * 0.12 + bent * 0.16
+    ridges = band(sin(length(core - finger * (0.35 * dot(core, finger))) * RIDGES), -0.7, 0.7)
+    oval = length(local - finger * (0.4 * dot(local, finger)) + bent * 0.08)
+    pressed = band(noise(builder, at, 3.0 * s.scale, 3.0, 0.6), 0.25, 0.55) * band(oval, 0.3, 0.2)
+    return less(x_of(drawn), s.prints) * pressed * (0.35 + 0.65 * ridges)
 
 
+@part("Wipe Marks")
 def _wiped(builder, s, at):
     """Wipe marks: broad curved smears with fine streaks in them."""
-    with builder.frame("Wipe marks"):
-        turn = builder.node("ShaderNodeTexNoise", {"Vector": at, "Scale": 0.22 * s.scale, "Detail": 0.0}, "Color",
-                            noise_dimensions="3D")
-        bent = at * s.scale + (turn - (0.5, 0.5, 0.5)) * 6.0
-        drawn = vector(x_of(bent), y_of(bent) - 0.9 * x_of(bent), z_of(bent))
-        streak = noise(builder, vector(0.06 * x_of(drawn), 2.2 * y_of(drawn), 2.2 * z_of(drawn)), 1.6, 5.0, 0.7)
-        least = 0.62 - 0.24 * s.wiped
-        smear = band(noise(builder, vector(0.25 * x_of(drawn), y_of(drawn), z_of(drawn)), 0.5, 2.0), least, least + 0.1)
-        return smear * band(streak, 0.35, 0.65) * 0.85
+    turn = builder.node("ShaderNodeTexNoise", {"Vector": at, "Scale": 0.22 * s.scale, "Detail": 0.0}, "Color",
+                        noise_dimensions="3D")
+    bent = at * s.scale + (turn - (0.5, 0.5, 0.5)) * 6.0
+    drawn = vector(x_of(bent), y_of(bent) - 0.9 * x_of(bent), z_of(bent))
+    streak = noise(builder, vector(0.06 * x_of(drawn), 2.2 * y_of(drawn), 2.2 * z_of(drawn)), 1.6, 5.0, 0.7)
+    least = 0.62 - 0.24 * s.wiped
+    smear = band(noise(builder, vector(0.25 * x_of(drawn), y_of(drawn), z_of(drawn)), 0.5, 2.0), least, least + 0.1)
+    return smear * band(streak, 0.35, 0.65) * 0.85

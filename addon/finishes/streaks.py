@@ -5,7 +5,7 @@ to the axis, which a slice would only graze, are brushed by themselves.
 """
 
 from ..models.parameters import Direction, Slider, Triple
-from ..operands import absolute, clip, dot, less, normalize, where
+from ..operands import absolute, clip, dot, less, normalize, part, where
 from .place import COORDINATES, NORMAL, NOTHING, ROUGHNESS, band, depth, noise, scale, tilted, to_object
 
 __all__ = ["DRIVES", "ends", "mixed", "on_surface", "output", "streak", "table", "unit_axis"]
@@ -34,6 +34,7 @@ def table(axis_tip):
                       "in"))
 
 
+@part("Axis")
 def unit_axis(s):
     """The axis under the sockets' settings; in a UV map square to it."""
     return where(less(0.5, s.uv), (0.0, 0.0, 1.0), normalize(s.axis))
@@ -54,6 +55,7 @@ def mixed(a, b, share):
     return a + (b - a) * share
 
 
+@part("Streaks")
 def streak(builder, s, at, height, axis):
     """Streaks over a height above slices, about -1 to 1, which change slowly along the slices.
 

@@ -1,7 +1,7 @@
 """Worn edges: where a dull, tarnished surface is rubbed bright, at its edges and in patches."""
 
 from ..models.parameters import Colour, Slider, add_inputs
-from ..operands import clip, maximum
+from ..operands import clip, maximum, part
 from .place import COORDINATES, NORMAL, ROUGHNESS, band, noise, place, scale
 
 __all__ = ["DRIVES", "TABLE", "build"]
@@ -33,11 +33,8 @@ def build(builder):
     """Build the group."""
     s = add_inputs(builder, TABLE)
     at, n = place(builder, s), builder.normal(s.normal)
-    with builder.frame("Edges"):
-        behind = builder.node("ShaderNodeAmbientOcclusion", {"Distance": s.edge, "Normal": n}, "AO",
-                              samples=SAMPLES, inside=True, only_local=True)
-        coarse = noise(builder, at, s.scale, 5.0, 0.65)
-        edge = band(1.0 - behind + s.broken * (coarse - 0.5), *RUBBED)
+    coarse = noise(builder, at, s.scale, 5.0, 0.65)
+    edge = _edges(builder, s.edge, s.broken, coarse, n)
     with builder.frame("Patches"):
         fine = noise(builder, at, 7.0 * s.scale, 4.0, 0.65)
         least = 0.68 - 0.16 * s.wear
@@ -50,3 +47,11 @@ def build(builder):
     builder.output("Roughness", rough, description="Roughness, low where the surface is rubbed")
     builder.output("Tint", tint, "COLOR", description="Tint, dark where the surface is not rubbed")
     builder.output("Mask", mask, description="1 where the surface is rubbed bright")
+
+
+@part("Rubbed Edges")
+def _edges(builder, width, broken, coarse, n):
+    """1 at edges."""
+    behind = builder.node("ShaderNodeAmbientOcclusion", {"Distance": width, "Normal": n}, "AO",
+                          samples=SAMPLES, inside=True, only_local=True)
+    return band(1.0 - behind + broken * (coarse - 0.5), *RUBBED)

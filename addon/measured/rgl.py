@@ -20,7 +20,7 @@ NEEDED = ("theta_i", "phi_i", "ndf", "sigma", "vndf", "rgb", "jacobian")
 MOST_PHI = 2
 """Azimuths of incidence that an isotropic file has at most."""
 LEAST_COSINE = 1e-6
-STEEPEST_COSINE = np.cos(np.radians(85.0))
+STEEPEST_COSINE = np.cos(np.radians(80.0))
 
 
 class Rgl:

@@ -9,7 +9,7 @@ from . import DEFAULT, named, names
 from .finishing import under_finish
 from .model import Renderer
 from .parameters import Colour
-from .realisations import realisation_named
+from .realisations import realisation_chosen
 from .record import Record, Source
 
 USUAL = "usual"
@@ -45,7 +45,7 @@ def made(model: str | None = None, preset: Any = None, realisation: str = USUAL,
     resolved = _what_it_is_made_of(chosen, resolved, parameters)
     if realisation == USUAL:
         realisation = _usual(chosen, resolved)
-    realisation = choice("realisation", realisation_named(realisation), chosen.realisations)
+    realisation = realisation_chosen(realisation, chosen.realisations)
     finish, parameters = under_finish(finish, chosen, parameters)
     if resolved is None:
         checked = chosen.parameters().changed(**parameters)
@@ -69,7 +69,7 @@ def switched(record: Record, realisation: str, renderer: Renderer = ANY_RENDERER
     'layered_rgb_exact'
     """
     model = named(record.model)
-    realisation = choice("realisation", realisation_named(realisation), model.realisations)
+    realisation = realisation_chosen(realisation, model.realisations)
     if record.measured and model.as_baked(record.parameters, record.baked):
         return rebaked(record.changed(realisation=realisation), renderer, record.viewing, only=("n", "k"))
     _, variant = model.realisation_of(record.group)

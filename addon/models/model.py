@@ -161,7 +161,9 @@ class Model:
     standin       function(Record in linear Rec.709 by the exact formula) -> addon.export.standin.Standin, the shader of
                   base colour and metalness that comes closest; None where a look has to do
     measured      whether a measurement that is no preset can become a material of it
-    refracts     whether light passes through its materials, which EEVEE has to be told
+    refracts     whether light is bent by its materials, which EEVEE has to be told
+    sheet        function(parameters) -> whether a material is one sheet that light goes straight through, which EEVEE
+                 has to be told, too
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
     picture       function(parameters, viewing options) -> the Picture of its pictured groups
     """
@@ -190,6 +192,7 @@ class Model:
     standin: Callable | None = None
     measured: bool = False
     refracts: bool = False
+    sheet: Callable = lambda parameters: False
     made_of: str = ""
     picture: Callable | None = None
 

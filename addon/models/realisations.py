@@ -2,7 +2,9 @@
 
 from typing import NamedTuple
 
-__all__ = ["NAMES", "REALISATIONS", "Realisation", "realisation_named"]
+from ..errors import choice
+
+__all__ = ["NAMES", "REALISATIONS", "Realisation", "realisation_chosen", "realisation_named"]
 
 
 class Realisation(NamedTuple):
@@ -46,3 +48,21 @@ def realisation_named(name):
     ('exact', 'fast')
     """
     return NAMES.get(name, name) if isinstance(name, str) else name
+
+
+def realisation_chosen(name, valid):
+    """The name in REALISATIONS of one of the valid ones, by either of its names.
+
+    >>> realisation_chosen("standard", ("fast", "exact"))
+    'fast'
+    >>> realisation_chosen("referense", ("fast", "exact"))
+    Traceback (most recent call last):
+    ...
+    addon.errors.FacetFilmError: realisation 'referense' is unknown; did you mean 'reference'? Valid: 'standard', \
+'reference'.
+    """
+    known_as = {found: shown for shown, found in NAMES.items()}
+    found = realisation_named(name)
+    if found not in valid:
+        choice("realisation", name, [known_as.get(one, one) for one in valid])
+    return found

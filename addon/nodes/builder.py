@@ -11,6 +11,7 @@ import math
 import bpy
 import numpy as np
 
+from . import parts
 from .layout import arrange
 from .operand import NodeOperand
 from .osl_compiler import compile_script, text_of
@@ -47,14 +48,18 @@ class GroupBuilder:
     >>> tree = builder.finish()                                            # doctest: +SKIP
     """
 
-    def __init__(self, name):
+    def __init__(self, name, built=None):
+        """An empty group; built are the parts that there are already, where it is one of them itself."""
         self.tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
+        self.parts = {} if built is None else built  # what a part depends on -> addon.nodes.parts.Part
         self.frames = []           # labels of the frames that are open
         self.frame_of = {}         # node name -> frame label
         self._shared = {}          # expression -> operand
         self._products = {}        # Multiply node's name -> its two operands
-        self._lasting = set()      # names of the nodes and inputs whose products no renderer folds away
+        self._lasting = set()      # keys of the operands, names of the nodes whose products no renderer folds away
         self._group_inputs = {}    # frame label -> Group Input node
+        self._possible = {}        # name of a part's argument -> its kind
+        self._there = set()        # names of those that have a socket
         self._output_node = None
 
     # --- the group's interface ---
@@ -73,16 +78,17 @@ class GroupBuilder:
             item.default_value = (*socket.default, 1.0) if socket.kind == "COLOR" else socket.default
         item.hide_value = socket.plugged
         if socket.never_zero:
-            self._lasting.add(socket.name)
+            self._lasting.add(("input", socket.name))
         return NodeOperand(self, "VECTOR" if socket.kind == "COLOR" else socket.kind, socket.name)
 
     def output(self, name, operand, kind=None, description=""):
-        """A new output socket of the group, fed by the operand."""
-        self.tree.interface.new_socket(
+        """A new output socket of the group, fed by the operand; its identifier."""
+        item = self.tree.interface.new_socket(
             name, description=description, in_out="OUTPUT", socket_type=SOCKET_TYPES[kind or operand.kind])
         if self._output_node is None:
             self._output_node = self.tree.nodes.new("NodeGroupOutput")
-        self.connect(self._output_node.inputs[name], operand)
+        self.connect(socket_of(self._output_node.inputs, item.identifier), operand)
+        return item.identifier
 
     def _panel(self, name):
         for item in self.tree.interface.items_tree:
@@ -106,10 +112,43 @@ class GroupBuilder:
             for identifier, operand in (inputs or {}).items():
                 self.connect(socket_of(node.inputs, identifier), operand)
             operands = [o for o in (inputs or {}).values() if isinstance(o, NodeOperand)]
-            if any(map(self._lasts, operands)) or not operands:
+            if bl_idname != "ShaderNodeGroup" and (any(map(self.lasts, operands)) or not operands):
                 self._lasting.add(node.name)
         socket = socket_of(node.outputs, output) if output else node.outputs[0]
         return NodeOperand(self, kind_of(socket), socket)
+
+    # --- parts: groups inside the group ---
+
+    def part(self, name, formula, gives, operands, options):
+        """What a formula gives of operands, its nodes in a group of their own: see :func:`addon.nodes.parts.call`."""
+        return parts.call(self, name, formula, gives, operands, options)
+
+    def part_input(self, name, kind, lasts):
+        """An input that a part gets once something in it needs it, as an operand."""
+        if lasts:
+            self._lasting.add(("input", name))
+        self._possible[name] = kind
+        return NodeOperand(self, kind, name)
+
+    def part_inputs(self):
+        """{name: identifier} of the inputs of a part, put into the order of its arguments."""
+        found = {item.name: item for item in self.tree.interface.items_tree if item.in_out == "INPUT"}
+        for place, name in enumerate(name for name in self._possible if name in found):
+            self.tree.interface.move(found[name], place)
+        return {name: item.identifier for name, item in found.items()}
+
+    def part_output(self, name, operand):
+        """The identifier of a new output of a part, fed by the operand."""
+        return self.output(name, operand)
+
+    def part_node(self, name, tree, inputs, output, lasts):
+        """An output of the node of a part, as an operand; one node for equal inputs."""
+        operand = self.node("ShaderNodeGroup", inputs, output, name, node_tree=tree)
+        if lasts:
+            self._lasting.add(operand.key())
+        return operand
+
+    # --- nodes of some kinds ---
 
     def random(self, dimension):
         """A number drawn evenly from [0, 1), another one for every sample of a pixel.
@@ -241,7 +280,7 @@ class GroupBuilder:
             operands = (*operands, math.e)
         identifiers = ("Value", "Value_001", "Value_002")
         result = self.node("ShaderNodeMath", dict(zip(identifiers, operands)), operation=MATH[name])
-        if name == "multiply" and all(isinstance(o, float) or self._lasts(o) for o in operands):
+        if name == "multiply" and all(isinstance(o, float) or self.lasts(o) for o in operands):
             self._products[result.source.node.name] = operands
         return result
 
@@ -270,10 +309,10 @@ class GroupBuilder:
         factors = self._products.get(operand.source.node.name)
         return factors and sorted(factors, key=lambda o: not isinstance(o, float))
 
-    def _lasts(self, operand):
+    def lasts(self, operand):
         """Whether the operand comes from the place that is shaded, or from a socket that is never 0."""
-        source = operand.source
-        return (source if isinstance(source, str) else source.node.name) in self._lasting
+        key = operand.key()
+        return key in self._lasting or key[0] in self._lasting
 
     def _on_vectors(self, name, operands):
         if name in VECTOR_MATH:
@@ -329,6 +368,10 @@ class GroupBuilder:
         """The operand's output socket; a group input has one in every frame that uses it."""
         if not isinstance(operand.source, str):
             return operand.source
+        if operand.source in self._possible and operand.source not in self._there:
+            self._there.add(operand.source)
+            self.tree.interface.new_socket(operand.source, in_out="INPUT",
+                                           socket_type=SOCKET_TYPES[self._possible[operand.source]])
         label = self.frame_of.get(consumer.name)
         node = self._group_inputs.get(label)
         if node is None:

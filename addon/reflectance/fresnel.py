@@ -6,7 +6,7 @@ n and k are relative to the medium outside, light is unpolarised, reflectances
 are shares of the arriving power, in [0, 1].
 """
 
-from ..operands import clip, less, maximum, minimum, power, sqrt, term, where
+from ..operands import clip, less, maximum, minimum, part, power, sqrt, term, where
 
 __all__ = [
     "conductor", "conductor_blender_4_5", "dielectric", "index_from_normal", "dielectric_from_normal",
@@ -24,7 +24,7 @@ SMALLEST = 1e-20
 """Keeps a denominator away from 0 where there is no surface: n = 1, k = 0 at grazing incidence."""
 
 
-@term("F")
+@part("Fresnel F")
 def conductor(cos_theta, n, k):
     """Reflectance of a surface of complex index n + ik, exactly.
 
@@ -75,7 +75,7 @@ def conductor_blender_4_5(cos_theta, n, k):
     return 0.5 * (r_parallel + r_perpendicular)
 
 
-@term("F")
+@part("Dielectric F")
 def dielectric(cos_theta, n):
     """Reflectance of a surface of index n that absorbs nothing.
 
@@ -191,6 +191,7 @@ def f82(cos_theta, f0, tint):
     return clip(f82_unclamped(cos_theta, f0, f82_factor(f0, tint)), 0.0, 1.0)
 
 
+@part("F82 Factor")
 def f82_factor(f0, tint):
     """The F82 model's b: how much of c·(1−c)⁶ Schlick's curve lacks.
 
@@ -203,6 +204,7 @@ def f82_factor(f0, tint):
     return schlick(COS_THETA_82, f0) * (1.0 - tint) * (1.0 / F82_LOBE)
 
 
+@part("Fresnel F82")
 def f82_unclamped(cos_theta, f0, b):
     """The F82 model by its factor b, not held to [0, 1]: linear in F0 and b.
 
@@ -254,7 +256,7 @@ def cheap_colour_shift(cos_theta, colour_0, colour_90, average_f0):
     return colour_0 + (colour_90 - colour_0) * share
 
 
-@term("Tint")
+@part("Tinted Index", "n", "k")
 def tinted(n, k, tint):
     """n and k of a metal whose reflectance at normal incidence is tint times that of n + ik; as they are where k is 0.
 
@@ -271,8 +273,7 @@ def tinted(n, k, tint):
     >>> [float(x) for x in tinted(1.5, 0.0, 0.5)], [float(x) for x in tinted(0.2, 3.91, 1.0)]
     ([1.5, 0.0], [0.2, 3.91])
     """
-    n_1 = n + 1.0
-    lost = 4.0 * n / (n_1 * n_1 + k * k)
+    lost = _lost(n, k)
     least, most = _indices(lost)
     place = (n - least) / maximum(most - least, SMALLEST)
     lost_tinted = lost + (1.0 - tint) * (1.0 - lost)
@@ -280,10 +281,24 @@ def tinted(n, k, tint):
     n_tinted = least + place * (most - least)
     n_1 = n_tinted + 1.0
     k_tinted = sqrt(maximum(4.0 * n_tinted / lost_tinted - n_1 * n_1, 0.0))
-    dyes = less(0.0, k) * less(tint, 1.0)
+    dyes = _is_dyed(k, tint)
     return where(dyes, n_tinted, n), where(dyes, k_tinted, k)
 
 
+@part("Is Dyed")
+def _is_dyed(k, tint):
+    """1 for a metal whose tint is not white."""
+    return less(0.0, k) * less(tint, 1.0)
+
+
+@part("Taken In")
+def _lost(n, k):
+    """1 − F at normal incidence, 4n/((n + 1)² + k²)."""
+    n_1 = n + 1.0
+    return 4.0 * n / (n_1 * n_1 + k * k)
+
+
+@part("Range of n", "least", "most")
 def _indices(lost):
     """The least and the greatest n of a material that takes in this much at normal incidence."""
     root = 1.0 + sqrt(1.0 - lost)

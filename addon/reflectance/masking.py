@@ -1,6 +1,6 @@
 """Geometrical attenuation G: the share of facets that are neither masked from the viewer nor shadowed."""
 
-from ..operands import maximum, minimum, sqrt, term
+from ..operands import maximum, minimum, part, sqrt, term
 
 __all__ = ["v_cavity", "v_cavity_one_side", "smith_beckmann", "smith_lambda", "smith_lambda_of_slope"]
 
@@ -71,6 +71,7 @@ def smith_lambda(cos_theta, m):
     return smith_lambda_of_slope(sqrt(m2 / (cosine * cosine) - m2))
 
 
+@part("Smith's Λ")
 def smith_lambda_of_slope(t):
     """:func:`smith_lambda` where t = m tan θ is known.
 

@@ -7,7 +7,7 @@ of slope a about H, and H is drawn from a distribution narrowed by as much:
 slopes add like variances, (m² − a²) + a² = m².
 """
 
-from ..operands import less, log, maximum, minimum, sqrt, where
+from ..operands import less, log, maximum, minimum, part, sqrt, where
 
 __all__ = ["narrow_slope", "wide_slope", "narrowed", "towards_flanks", "squared_tilt", "chosen"]
 
@@ -17,6 +17,7 @@ LEAST_RANDOM = 1e-7
 """Keeps logarithms from 0."""
 
 
+@part("Narrow Slope")
 def narrow_slope(m, width):
     """Slope a, across the rings about N, of the lobes about facets of rms slope m: 2.25 width·m/√(1 + 55 m²).
 
@@ -29,6 +30,7 @@ def narrow_slope(m, width):
     return minimum(2.25 * width, WIDEST) * m / sqrt(1.0 + 55.0 * (m * m))
 
 
+@part("Wide Slope")
 def wide_slope(m, width):
     """Largest slope of the same lobes along the rings about N, where D is constant: 2 width·m/√(1 + 8 m²).
 

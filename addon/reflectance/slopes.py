@@ -11,7 +11,7 @@ anisotropy, which Cycles has as well; for the paper's Gaussian of angles it is
 this project's choice.
 """
 
-from ..operands import arccos, exp, less, maximum, minimum, sqrt, term, where
+from ..operands import arccos, exp, less, maximum, minimum, part, sqrt, term, where
 
 __all__ = ["along_across", "beckmann", "elliptic", "elliptic_beckmann", "elliptic_gaussian", "elliptic_gaussian_c",
            "gaussian", "gaussian_c", "mixture"]
@@ -55,7 +55,7 @@ def gaussian(cos_alpha, m, c):
     return where(less(0.0, cos_alpha), c * exp(-(alpha * alpha) / (m * m)), 0.0)
 
 
-@term("mt, mb")
+@part("Slopes along and across", "along", "across")
 def along_across(m, anisotropy):
     """Slopes along and across the tangent: m/√(1 − 0.9 a), at most 1, and m √(1 − 0.9 a).
 
@@ -119,7 +119,7 @@ SHARES = (1.0, -0.66751, 0.280318, -0.153716, 0.193954, -0.145296, 0.039929)
 """Of the powers of m² in 1/(c m²), fitted: off by at most 1e-5."""
 
 
-@term("c")
+@part("Round Gaussian c")
 def gaussian_c(m):
     """The c with which ∫ D cos α dω = π for the Gaussian distribution of rms slope m in (0, 1].
 
@@ -136,7 +136,7 @@ def gaussian_c(m):
     return 1.0 / (x * share)
 
 
-@term("c")
+@part("Gaussian c")
 def elliptic_gaussian_c(slope_t, slope_b):
     """The same of an elliptic Gaussian: 1/c is the mean over φ of what a round one of slope m(φ) has.
 

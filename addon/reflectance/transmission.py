@@ -43,10 +43,11 @@ def transmittance(sigma, d):
 def straight_path(sigma, d, back):
     """What a face does to a ray that goes straight on: exp(−σd) at the back face, its inverse at the front one.
 
-    sigma ``(..., 3)``; d from the ray's start, widened; back 1.0 at back faces, else 0.0, widened.  The product over
-    a body's two faces is the transmittance of what lies between them.
+    sigma ``(..., 3)``; d along the ray, from a point of it that both faces count from, widened; back 1.0 at back faces,
+    else 0.0, widened.  The product over a body's two faces is the transmittance of what lies between them; from the
+    middle of the body each face has its half.
 
-    >>> float((straight_path(2.0, 1.0, 0.0) * straight_path(2.0, 1.5, 1.0)).round(4))
+    >>> float((straight_path(2.0, -0.2, 0.0) * straight_path(2.0, 0.3, 1.0)).round(4))
     0.3679
     """
     return exp(minimum((1.0 - 2.0 * back) * (sigma * d), LARGEST_EXPONENT))

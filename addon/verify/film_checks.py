@@ -23,7 +23,7 @@ SIZES = {"fast": (48, 16, 1), "exact": (32, 2048, 4)}
 formula's."""
 SHOWN, LEAST_N_V = 0.02, 0.15
 LIMITS = {("fast", 0.1): (0.7, 2.0), ("fast", 0.2): (1.5, 5.0), ("exact", 0.1): (0.7, 2.0)}
-"""{(realisation, m): largest mean and 99th percentile of CIEDE2000}; a good part of Exact's is noise, and at m 0.2
+"""{(realisation, m): largest mean and 99th percentile of CIEDE2000}; a good part of Reference's is noise, and at m 0.2
 it is more than the formula's own error, so that one is not checked.
 """
 STACKS = (("TiO2 0-200 nm / Ti", 120.0), ("SiO2 0-1000 nm / Si", 300.0), ("TiO2 0-200 nm / Ti", 60.0),

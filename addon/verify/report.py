@@ -3,9 +3,10 @@
 import html
 
 from ..models import all_models
+from ..models.realisations import REALISATIONS
 from .pictures import data_url, strip
 
-__all__ = ["verdict", "page", "unfinished", "table_text"]
+__all__ = ["realisation_title", "verdict", "page", "unfinished", "table_text"]
 
 STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; color: #1c1c1c; }
@@ -24,6 +25,15 @@ details { margin-top: 1rem; } summary { cursor: pointer; }
 def _titles():
     """{group of checks: its heading}."""
     return {**{model.name: model.title for model in all_models()}, "data": "Measured data"}
+
+
+def realisation_title(name):
+    """What people call a realisation; of what is none, the name itself.
+
+    >>> realisation_title("exact"), realisation_title("")
+    ('Reference', '')
+    """
+    return REALISATIONS[name].title if name in REALISATIONS else name
 
 
 def verdict(results, facts):
@@ -65,8 +75,8 @@ def page(results, facts, presets, left_out=()):
              "errors, and its limit what chance exceeds once in a thousand runs of the check.</p>",
              _rows([(html.escape(name), html.escape(str(value))) for name, value in facts])]
     if left_out:
-        parts.append("<p>Not run: " + "; ".join(f"{html.escape(r)} ({html.escape(why)})" for r, why in left_out)
-                     + ".</p>")
+        named = "; ".join(f"{html.escape(realisation_title(name))} ({html.escape(why)})" for name, why in left_out)
+        parts.append(f"<p>Not run: {named}.</p>")
     for model, title in _titles().items():
         of_model = [result for result in results if result[0].model == model]
         if of_model:
@@ -87,7 +97,7 @@ def _checks(results):
     rows = ["<table><tr><th>Check</th><th>Figures</th><th>Reference, render, difference</th></tr>"]
     for check, outcome, seconds in results:
         mark = '<span class="passed">passed</span>' if _passed(outcome) else '<span class="failed">FAILED</span>'
-        name = html.escape(f"{check.realisation}: {check.name}" if check.realisation else check.name)
+        name = html.escape(f"{realisation_title(check.realisation)}: {check.name}" if check.realisation else check.name)
         if isinstance(outcome, str):
             figures, shown = html.escape(outcome), ""
         else:
@@ -126,6 +136,6 @@ def table_text(results):
     rows, titles = ["| realisation | check | figures | |", "|---|---|---|---|"], _titles()
     for check, outcome, _ in results:
         figures = outcome if isinstance(outcome, str) else "; ".join(_figure(figure) for figure in outcome.figures)
-        rows.append(f"| {titles[check.model]} {check.realisation} | {check.name} | {figures} | "
+        rows.append(f"| {titles[check.model]} {realisation_title(check.realisation)} | {check.name} | {figures} | "
                     f"{'passed' if _passed(outcome) else '**FAILED**'} |")
     return "\n".join(rows)

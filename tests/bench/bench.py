@@ -24,6 +24,7 @@ import numpy as np
 
 from addon import api, models
 from addon.blender import compat
+from addon.models.realisations import REALISATIONS
 from addon.verify import scenes
 from addon.verify.running import _quiet as quiet
 from tests.bench import bench_bake, bench_interface
@@ -35,16 +36,16 @@ from tools.package import build
 ROOT = Path(__file__).resolve().parents[2]
 RESOLUTION = 64
 SLOPES = ((0.3, 1.0),)
-REALISATIONS = {
+WAYS = {
     "Principled BSDF": lambda: principled(),
     "Metallic BSDF by hand": lambda: by_hand(SLOPES),
-    "Fast": lambda: copper("fast"),
-    "Exact": lambda: copper("exact"),
-    "Exact, width 0": lambda: copper("exact", sampling_width=0.0),
+    "Standard": lambda: copper("fast"),
+    "Reference": lambda: copper("exact"),
+    "Reference, width 0": lambda: copper("exact", sampling_width=0.0),
     "OSL": lambda: copper("osl"),
-    "OSL Fast": lambda: copper("osl_fast"),
-    "Layered RGB Fast": lambda: layered_material("fast", thickness=70.0),
-    "Layered RGB Exact": lambda: layered_material("exact", thickness=70.0),
+    "OSL Standard": lambda: copper("osl_fast"),
+    "Layered RGB Standard": lambda: layered_material("fast", thickness=70.0),
+    "Layered RGB Reference": lambda: layered_material("exact", thickness=70.0),
     "Layered RGB OSL": lambda: layered_material("osl", thickness=70.0),
 }
 REFERENCE = "Principled BSDF"
@@ -100,11 +101,11 @@ def measured(make, samples, repeats, osl=False, spheres=1):
 def noise_over_time(counts, repeats):
     """{realisation: [(samples, seconds, noise)]}."""
     return {name: [(count, *measured(make, count, repeats, osl="OSL" in name)) for count in counts]
-            for name, make in REALISATIONS.items()}
+            for name, make in WAYS.items()}
 
 
 def growth(samples, repeats):
-    """How the time of Exact and Fast grows with slopes and with materials in the scene, over the first."""
+    """How the time of Reference and Standard grows with slopes and with materials in the scene, over the first."""
     slopes = {count: tuple((0.1 * (j + 1), 1.0 / count) for j in range(count)) for count in (1, 2, 4)}
     by_slopes = {name: {count: measured(lambda: copper(name, slopes[count]), samples, repeats)[0] for count in slopes}
                  for name in ("fast", "exact")}
@@ -212,14 +213,14 @@ def growth_table(found):
     for name in ("fast", "exact"):
         cells = [f"{value / next(iter(found[what][name].values())):.2f}"
                  for what in ("slopes", "materials") for value in found[what][name].values()]
-        lines.append(f"| {name} | " + " | ".join(cells) + " |")
+        lines.append(f"| {REALISATIONS[name].title} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 
 def page(found, picture):
     """Markdown."""
     t, s = found["times"], found["sizes"]
-    made = ", ".join(f"{name} {ms:.0f} ms" for name, ms in t["create_material_ms"].items())
+    made = ", ".join(f"{REALISATIONS[name].title} {ms:.0f} ms" for name, ms in t["create_material_ms"].items())
     return f"""# Benchmarks
 
 `make bench` measures all of this in one run and writes `out/bench.json`. Blender {found['blender']}, {found['cores']}

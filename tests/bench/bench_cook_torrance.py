@@ -1,7 +1,7 @@
 """What the Cook-Torrance realisations cost and how noisy they are: python -m tests.bench.bench_cook_torrance
 
 Ratios of medians within one run on this machine, in processor time: a sample of each
-realisation over one of Fast, Fast over Metallic BSDFs wired by hand, noise at
+realisation over one of Standard, Standard over Metallic BSDFs wired by hand, noise at
 equal time under an environment picture, and the noise of the default width
 over that of width 0 under a sun of 5°.
 """

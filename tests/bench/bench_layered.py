@@ -1,7 +1,7 @@
 """What the layered RGB realisations cost and how noisy they are: python -m tests.bench.bench_layered
 
 Ratios within one run on this machine: time per sample of each realisation over
-Fast's, noise at equal time under an environment, and the noise of the default
+Standard's, noise at equal time under an environment, and the noise of the default
 width over that of width 0 under a sun of 5°.
 """
 

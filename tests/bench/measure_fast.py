@@ -1,4 +1,4 @@
-"""How far Cook-Torrance Fast is from the formula, as the table of docs/accuracy.md.
+"""How far Cook-Torrance Standard is from the formula, as the table of docs/accuracy.md.
 
     python -m tests.bench.measure_fast
 
@@ -15,7 +15,7 @@ SLOPES = (0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6)
 
 
 def row(m, distribution):
-    """Relative rms from the formula: of Fast, and for Beckmann's D of closures that do not follow it."""
+    """Relative rms from the formula: of Standard, and for Beckmann's D of closures that do not follow it."""
     parameters = {"slopes": [(m, 1.0)], "distribution": distribution}
     picture, towards = rendered(**parameters, **COPPER)
     whole, mask = formula(towards, **parameters)

@@ -1,4 +1,4 @@
-"""How far the layered model's Fast is from the formula, as the table of docs/accuracy.md.
+"""How far the layered model's Standard is from the formula, as the table of docs/accuracy.md.
 
     python -m tests.bench.measure_layered_fast
 

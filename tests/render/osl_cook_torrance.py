@@ -98,8 +98,9 @@ def lobes_to_stretch():
 
 def stretched(x, n, t, along, across, outwards, cos_drawn, to_angle):
     """The formula's, in the script's order."""
-    x = SimpleNamespace(**vars(x))
-    sampler._stretch_lobe(x, n, outwards, cos_drawn, to_angle, ellipse_of(t, along, across))
+    lobe = sampler._stretched_lobe(x.across, x.a_across, x.a_along, n, outwards, cos_drawn, to_angle,
+                                   ellipse_of(t, along, across))
+    x = SimpleNamespace(**{**vars(x), **vars(lobe)})
     return [getattr(x, name) for name in FIELDS]
 
 
@@ -124,10 +125,10 @@ def scale_of(slope_t, slope_b, is_gaussian, published, printed_c):
 M_OF_TILTED = 0.3
 
 
-def tilted(drawn, weighed, _c_m2, is_gaussian):
+def tilted(drawn, weighed, c_m2, is_gaussian):
     """Tilt and density of drawn facets, of either distribution, in the script's order."""
     of_beckmann = sampler._beckmann(drawn * drawn, drawn, weighed * weighed)
-    of_gaussian = sampler._gaussian(drawn, weighed * weighed, M_OF_TILTED)
+    of_gaussian = sampler._gaussian(drawn, weighed * weighed, c_m2)
     chosen = [np.where(is_gaussian > 0.5, g, b) for g, b in zip(of_gaussian, of_beckmann)]
     tangent_drawn, cos_drawn, tangent, n_h, flat, density, _to_angle = chosen
     return tangent_drawn, cos_drawn, tangent, n_h, 1.0 / flat ** 2, density

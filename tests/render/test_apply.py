@@ -171,6 +171,9 @@ def test_the_search_lists_every_material_by_all_its_names(objects):
     assert "aluminum" in listed["aluminium"] and "Kupfer" not in listed["aluminium"]
     assert bpy.ops.facet_film.search(preset="gold") == {"FINISHED"}
     assert objects[0].active_material.name == "Gold"
+    again = next(name for name, text, *_ in items() if text == "Window glass ▸ glass")
+    assert bpy.ops.facet_film.search(preset=again) == {"FINISHED"}
+    assert objects[0].active_material.name == "Window glass"
 
 
 def test_the_shelf_takes_our_materials_alone():

@@ -48,14 +48,14 @@ def test_every_preset_and_group_is_an_asset_with_all_that_belongs_to_it(empty):
     everything = build_assets.shown()
     assert {material.name for material in assets.materials} == {asset_name(preset) for preset in everything}
     assert len(assets.materials) == len(everything) > len(build_assets.held()) > 230
-    assert {"Cook-Torrance Fast", "Cook-Torrance Exact", "Layered RGB Fast", "Layered RGB Exact", "Layer Thickness",
-            "Fresnel Ramp Copper"} <= {tree.name for tree in assets.node_groups}
+    assert {"Cook-Torrance Standard", "Cook-Torrance Reference", "Layered RGB Standard", "Layered RGB Reference",
+            "Layer Thickness", "Fresnel Ramp Copper"} <= {tree.name for tree in assets.node_groups}
     for asset in (*assets.materials, *(tree for tree in assets.node_groups if tree.asset_data)):
         about = asset.asset_data
         assert about.author == build_assets.AUTHOR and about.license == "CC0-1.0", asset.name
         assert about.catalog_id in catalogues, asset.name
         assert len(about.tags) >= 2, asset.name
-        assert tuple(asset.preview.image_size) in {(64, 64)}, asset.name
+        assert tuple(asset.preview.image_size) in {(96, 96)}, asset.name
     assert all(material.asset_data.description for material in assets.materials
                if materials.model_of(material).name == "layered_rgb")
 
@@ -64,7 +64,7 @@ def test_materials_share_their_groups(empty):
     """And of films those that show the same image; what has its rainbow by default has one of its own."""
     used = {materials.our_node(material).node_tree for material in loaded(materials=True).materials}
     assert {tree.name.partition(".")[0] for tree in used} == {
-        "Clear Standard", "Clear Dispersive", "Cook-Torrance Fast", "Film Fast", "Layered RGB Fast"}
+        "Clear Standard", "Clear Dispersive", "Cook-Torrance Standard", "Film Standard", "Layered RGB Standard"}
     assert len(used) == 4 + len({image_in(tree) for tree in used if image_in(tree)})
 
 

@@ -1,4 +1,4 @@
-"""Cook-Torrance Exact and OSL against quadrature of the formula, by statistics over independent seeds.
+"""Cook-Torrance Reference and OSL against quadrature of the formula, by statistics over independent seeds.
 
 Sampling Width 0 is the formula itself: every mean has to agree within its
 standard error, and within 0.5 % where it is an albedo.  The default width may

@@ -57,6 +57,20 @@ def test_snippets_on_own_data_run(tmp_path, monkeypatch):
         exec(snippet, {})
 
 
+@pytest.mark.parametrize("document, found", [
+    ("brushed_copper.md", {"Cube": ["Copper"]}), ("anodised_ring.md", {"Torus": ["Anodised titanium"]}),
+    ("glass_of_water.md", {"Glass": ["Clear glass, low iron"], "Wall": ["Water against glass"], "Surface": ["Water"]}),
+    ("for_pipelines.md", {})])
+def test_snippets_of_the_first_pages_and_the_tutorials_run(document, found):
+    """In an empty file, one after the other; then these objects have these materials."""
+    from demo_blend.tutorials import snippets
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    assert snippets(document)
+    for snippet in snippets(document):
+        exec(snippet, {})
+    assert {one.name: [slot.name for slot in one.material_slots] for one in bpy.data.objects} == found
+
+
 def commands(prefix):
     """Commands of the documents that begin so, indented or in backticks, with nothing left to fill in."""
     found = [command for text in DOCUMENTS.values()

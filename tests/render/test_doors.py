@@ -17,7 +17,7 @@ from addon.errors import FacetFilmError
 from tests.render import probes
 
 BY_F82 = "cook_torrance_fast_f82" if compat.conductor_formula() == "blender-4.5" else "cook_torrance_fast"
-"""What renders vinyl by Fast here: 4.5's conductor misses it by 7.8 CIEDE2000."""
+"""What renders vinyl by Standard here: 4.5's conductor misses it by 7.8 CIEDE2000."""
 
 
 @pytest.fixture(autouse=True)

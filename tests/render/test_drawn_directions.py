@@ -1,4 +1,4 @@
-"""The directions that Cycles draws by the nodes of Exact, at Sampling Width 0, against their densities.
+"""The directions that Cycles draws by the nodes of Reference, at Sampling Width 0, against their densities.
 
 The facet's normal H, which the nodes give to their Glossy BSDF, and the weight
 are shown as light on a tile that fills the view: every pixel of one sample is
@@ -98,7 +98,7 @@ def test_facets_are_drawn_by_their_density(angle, slopes, distribution):
 
 
 def brushed_copper(m, anisotropy, distribution):
-    """Exact copper whose slopes are longer along the tile's Y axis."""
+    """Copper by Reference whose slopes are longer along the tile's Y axis."""
     def make():
         made = api.create_material(realisation="exact", slopes=((m, 1.0),), anisotropy=anisotropy,
                                    distribution=distribution, sampling_width=0.0, **COPPER)

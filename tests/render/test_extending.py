@@ -63,7 +63,7 @@ def test_it_is_in_the_list_of_models(lambert):
 def test_its_group_is_built_with_its_sockets(lambert):
     tree = groups.node_group("lambert_fast")
     assert groups.input_names(tree) == ["Reflectance", "Tint", "Normal"]
-    assert not groups.edited(tree) and tree.name == "Lambert Fast"
+    assert not groups.edited(tree) and tree.name == "Lambert Standard"
 
 
 def test_its_materials_are_made_by_preset_and_by_parameters(lambert):
@@ -94,7 +94,7 @@ def test_it_is_listed_and_found(lambert, capsys):
 
 def test_the_panel_offers_it_and_shows_its_parameters(lambert):
     assert picker.search("tinted chalk") == [("tinted_chalk", "Tinted chalk")]
-    assert ("tinted_chalk", "Tinted chalk · blackboard chalk") in [item[:2] for item in search_items.items()]
+    assert ("tinted_chalk", "blackboard chalk ▸ Tinted chalk") in [item[:2] for item in search_items.items()]
     target = bpy.data.objects.new("Target", bpy.data.meshes.new("Target"))
     bpy.context.scene.collection.objects.link(target)
     bpy.context.view_layer.objects.active = target
@@ -105,7 +105,7 @@ def test_the_panel_offers_it_and_shows_its_parameters(lambert):
 
 def test_the_add_menu_offers_it(lambert):
     context = SimpleNamespace(window_manager=bpy.context.window_manager)
-    assert "Lambert Fast" in drawn(FACET_FILM_MT_add, context).texts
+    assert "Lambert Standard" in drawn(FACET_FILM_MT_add, context).texts
 
 
 def test_its_check_renders_it_and_fails_where_it_is_broken(lambert):

@@ -1,4 +1,4 @@
-"""Cook-Torrance Fast: pixels of a sphere against the formula, and against the closures that follow it."""
+"""Cook-Torrance Standard: pixels of a sphere against the formula, and against the closures that follow it."""
 
 import numpy as np
 import pytest

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from addon.bake.srgb import bytes_of
-from demo_blend import figures, pictures
+from addon.catalogue.entries import entries
+from demo_blend import figures, pictures, poster
 from demo_blend.job import Job
 from demo_blend.side_by_side import compared
 
@@ -32,6 +33,20 @@ def test_figure_is_made(name, tmp_path, capfd):
     made = [path for path in tmp_path.iterdir() if path.suffix != ".blend"]
     assert [path.stem for path in made] == [name]
     assert np.ptp(pictures.read(made[0])) > 60
+
+
+def test_the_poster_shows_every_material(monkeypatch, tmp_path):
+    shown = []
+    monkeypatch.setattr(poster.Sheet, "row", lambda sheet, row: shown.extend(entry.name for entry in row))
+    poster.poster(Job(tmp_path, tmp_path, 0.2))
+    assert sorted(shown) == sorted(entries())
+
+
+@pytest.mark.parametrize(("title", "lines"), [
+    ("Copper", ["Copper"]), ("Molybdenum disulphide", ["Molybdenum", "disulphide"]),
+    ("Anodised aluminium, space grey", ["Anodised aluminium,", "space grey"])])
+def test_a_title_has_two_lines_at_most(title, lines):
+    assert poster.in_two_lines(title) == lines
 
 
 def test_one_blender_cannot_be_compared_with_another_that_is_not_there(tmp_path, capsys):

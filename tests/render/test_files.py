@@ -78,6 +78,13 @@ def test_they_render_the_same_when_loaded_again_without_the_extension(saved, tmp
         np.testing.assert_array_equal(picture(bpy.data.materials[name], tmp_path), before)
 
 
+def whole_groups():
+    """The names of the groups that are no part of others; each part is there once."""
+    parts = [tree for tree in bpy.data.node_groups if fingerprints.PART_KEY in tree]
+    assert len({part[fingerprints.PART_KEY] for part in parts}) == len(parts) and all(part.users for part in parts)
+    return {tree.name for tree in bpy.data.node_groups if tree not in parts}
+
+
 @pytest.mark.parametrize("link", (False, True), ids=("appended", "linked"))
 def test_they_render_the_same_in_another_file(saved, tmp_path, link):
     file, pictures = saved
@@ -105,7 +112,7 @@ def test_they_are_copied_between_files_by_the_clipboard(saved, tmp_path):
     assert materials.baked_of(pasted)["title"] == "Copper"
     np.testing.assert_array_equal(picture(pasted, tmp_path), pictures["copper exact"])
     api.create_material(preset="silver", realisation="exact")
-    assert {tree.name for tree in bpy.data.node_groups} == {"Cook-Torrance Exact", "Cook-Torrance Fast"}
+    assert whole_groups() == {"Cook-Torrance Reference", "Cook-Torrance Standard"}
     assert materials.our_node(pasted).node_tree == materials.our_node(gold).node_tree
 
 
@@ -154,10 +161,20 @@ def test_an_appended_group_takes_the_place_of_its_equal(saved):
     api.create_material(preset="gold")
     with bpy.data.libraries.load(str(file)) as (_, target):
         target.materials = ["copper"]
-    assert len(bpy.data.node_groups) == 2
+    assert "Cook-Torrance Standard.001" in bpy.data.node_groups
     api.create_material(preset="silver")
-    assert [tree.name for tree in bpy.data.node_groups] == ["Cook-Torrance Fast"]
+    assert whole_groups() == {"Cook-Torrance Standard"}
     assert materials.realisation_of(target.materials[0]) == "fast"
+
+
+def test_a_group_is_known_by_what_it_is_and_not_by_its_name(enabled):
+    """As files from before hold it, where the Standard group was called Fast; or as someone has renamed it."""
+    tree = materials.our_node(api.create_material(preset="gold")).node_tree
+    tree.name = "Cook-Torrance Fast"
+    silver = api.create_material(preset="silver")
+    assert materials.our_node(silver).node_tree == tree
+    assert whole_groups() == {"Cook-Torrance Fast"}
+    assert materials.realisation_of(silver) == "fast" and updates.outdated_groups() == []
 
 
 def older(material):
@@ -198,7 +215,7 @@ def test_an_older_file_is_updated_on_request(enabled, tmp_path, realisation):
     assert groups.socket_named(node, "Diffuse Color").links[0].from_node.bl_idname == "ShaderNodeRGB"
     outputs = [n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]
     assert all(output.inputs[0].is_linked for output in outputs)
-    assert {tree.name for tree in bpy.data.node_groups} <= {"Cook-Torrance Exact", "Cook-Torrance Fast"}
+    assert whole_groups() <= {"Cook-Torrance Reference", "Cook-Torrance Standard"}
     picture(material, tmp_path)
 
 

@@ -9,9 +9,10 @@ from addon.blender.datablocks import groups, materials
 from addon.blender.operators import user_presets
 from addon.blender.operators.apply_to_node import write_preset
 from addon.finishes import feeding
+from addon.finishes.groups import GROUPS
 from tests.render import probes
 
-GROUPS = [group.identifier for group in finishes.GROUPS]
+IDENTIFIERS = [group.identifier for group in GROUPS]
 SIDE = 32
 
 
@@ -55,7 +56,7 @@ def probe(identifier, scale=(1.0, 1.0, 1.0), applied=False, **values):
     return probes.render(scene)[inside]
 
 
-@pytest.mark.parametrize("identifier", GROUPS)
+@pytest.mark.parametrize("identifier", IDENTIFIERS)
 def test_a_group_varies_what_it_drives_about_what_it_was_given(identifier):
     drives = feeding._module(identifier).DRIVES
     roughness, tilt, along = probe(identifier, Roughness=0.3).T

@@ -1,6 +1,7 @@
 """The library of groups, and switching a material between realisations."""
 
 import json
+import re
 
 import bpy
 import numpy as np
@@ -21,6 +22,8 @@ def empty_file():
 
 GROUPS = {group.identifier: group for group in groups.all_groups()}
 BUILT = [identifier for identifier, group in GROUPS.items() if not group.osl]
+MOST_NODES = 40
+"""Of one level, as many as a person can follow."""
 RECORDED = json.loads(build_groups.VERSIONS.read_text(encoding="utf-8"))
 
 
@@ -81,15 +84,16 @@ def test_changed_physics_change_the_fingerprint(monkeypatch):
 
 def test_every_kind_of_node_in_our_groups_is_known_to_the_fingerprint():
     """So that none of its settings is forgotten."""
-    kinds = {node.bl_idname for group in GROUPS.values() for node in groups.node_group(group.identifier).nodes}
+    kinds = {node.bl_idname for group in GROUPS.values() for level in levels(groups.node_group(group.identifier))
+             for node in level.nodes}
     assert kinds - {"NodeFrame"} <= set(fingerprints.SETTINGS)
 
 
 @pytest.mark.parametrize("change", [
     lambda tree, item: setattr(item, "default_value", 0.35), lambda tree, item: setattr(item, "max_value", 0.9),
     lambda tree, item: setattr(item, "name", "Rms Slope"), lambda tree, item: tree.interface.remove(item),
-    lambda tree, item: setattr(next(n for n in tree.nodes if n.bl_idname == "ShaderNodeBsdfMetallic"), "distribution",
-                               "GGX"),
+    lambda tree, item: setattr(next(node for level in levels(tree) for node in level.nodes
+                                    if node.bl_idname == "ShaderNodeBsdfMetallic"), "distribution", "GGX"),
 ])
 def test_the_fingerprint_sees_the_interface_and_settings(change):
     tree = groups.build_group("cook_torrance_fast")
@@ -98,12 +102,55 @@ def test_the_fingerprint_sees_the_interface_and_settings(change):
     assert fingerprints.fingerprint(tree) != before
 
 
-def test_every_lane_of_a_group_is_named_and_no_node_lies_on_another():
-    tree = groups.build_group("cook_torrance_exact")
-    nodes = [node for node in tree.nodes if node.bl_idname != "NodeFrame"]
-    places = {tuple(np.round(node.location, 1)) for node in nodes}
-    assert len(places) == len(nodes)
-    assert {"F", "G", "H"} <= {frame.label for frame in tree.nodes if frame.bl_idname == "NodeFrame"}
+def levels(tree):
+    """A group and all parts in it, each once."""
+    found = {tree.name: tree}
+    for node in tree.nodes:
+        if node.bl_idname == "ShaderNodeGroup" and node.node_tree.name not in found:
+            found.update({level.name: level for level in levels(node.node_tree)})
+    return list(found.values())
+
+
+def nodes_of(tree):
+    return [node for node in tree.nodes if node.bl_idname != "NodeFrame"]
+
+
+@pytest.mark.parametrize("identifier",
+                         [name for name in BUILT if name.startswith(("cook_torrance", "clear", "finish"))])
+def test_a_person_can_follow_every_level_of_a_group(identifier):
+    """No node lies on another, nothing is too much at a time, and every part and socket is named."""
+    for level in levels(groups.node_group(identifier)):
+        nodes = nodes_of(level)
+        assert len({tuple(np.round(node.location, 1)) for node in nodes}) == len(nodes)
+        assert len(nodes) <= MOST_NODES, level.name
+        sockets = [(item.in_out, item.name) for item in level.interface.items_tree if item.item_type == "SOCKET"]
+        assert all(name for _, name in sockets) and len(set(sockets)) == len(sockets), level.name
+        for node in nodes:
+            assert node.bl_idname != "ShaderNodeGroup" or node.label or groups.group_id(node.node_tree)
+
+
+def test_terms_have_their_names():
+    names = {level.name for level in levels(groups.node_group("cook_torrance_exact"))}
+    assert {".Fresnel F", ".Drawn Facet", ".Native Lobe", ".Sharpened G", ".D native / D"} <= names
+
+
+def test_equal_parts_are_there_once():
+    """Whatever groups they came in with; menus, which leave out names with a dot, do not offer them."""
+    for identifier in BUILT:
+        groups.node_group(identifier)
+    parts = [tree for tree in bpy.data.node_groups if fingerprints.PART_KEY in tree]
+    assert all(fingerprints.fingerprint(part) == part[fingerprints.PART_KEY] for part in parts)
+    assert len({part[fingerprints.PART_KEY] for part in parts}) == len(parts)
+    assert all(re.fullmatch(r"\.[^.]+", part.name) for part in parts)
+
+
+def test_a_part_that_someone_edited_is_left_alone():
+    first = groups.node_group("cook_torrance_fast")
+    part = next(tree for tree in bpy.data.node_groups if tree.name == ".Tinted Index")
+    part.nodes.new("ShaderNodeMath")
+    assert groups.edited(first)
+    second = groups.node_group("cook_torrance_fast")
+    assert second != first and not groups.edited(second) and groups.edited(first)
 
 
 MODELS = {"cook_torrance": {"slopes": [(0.35, 0.5), (0.15, 0.4)], "specular": 0.75, "distribution": "gaussian",

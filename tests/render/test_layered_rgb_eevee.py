@@ -1,4 +1,4 @@
-"""The layered model in EEVEE: Fast is made of nodes that EEVEE has, and stands in for the others there."""
+"""The layered model in EEVEE: Standard is made of nodes that EEVEE has, and stands in for the others there."""
 
 import pytest
 
@@ -24,7 +24,7 @@ def test_fast_is_made_of_nodes_that_eevee_has():
 
 @pytest.mark.parametrize("realisation", ["exact", "osl", "osl_fast"])
 def test_fast_stands_in_for_the_others(realisation):
-    """An output of its own for EEVEE, fed by the closures of Fast and by no script."""
+    """An output of its own for EEVEE, fed by the closures of Standard and by no script."""
     material = api.create_material("layered_rgb", preset="nacre", realisation=realisation)
     outputs = {node.target: node for node in material.node_tree.nodes
                if node.bl_idname == "ShaderNodeOutputMaterial"}

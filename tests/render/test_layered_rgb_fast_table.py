@@ -1,4 +1,4 @@
-"""The table of Layered RGB Fast's errors in docs/accuracy.md is what is measured."""
+"""The table of Layered RGB Standard's errors in docs/accuracy.md is what is measured."""
 
 from pathlib import Path
 

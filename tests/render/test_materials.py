@@ -58,7 +58,7 @@ def test_making_over_a_material_keeps_one_output():
 BAD = {
     "unknown preset": ({"preset": "coper"}, "copper"),
     "unknown model": ({"model": "cook_torence"}, "cook_torrance"),
-    "unknown realisation": ({"realisation": "fsat"}, "fast"),
+    "unknown realisation": ({"realisation": "referense"}, "'reference'"),
     "unknown parameter": ({"slope": [(0.2, 1.0)]}, "slopes"),
     "slope of nothing": ({"slopes": [(0.0, 1.0)]}, "slope m 1"),
     "negative slope": ({"slopes": [(-0.1, 1.0)]}, "above 0"),

@@ -9,9 +9,10 @@ import pytest
 import addon
 from addon import api
 from addon.blender.datablocks import materials
-from addon.blender.operators import measurements
+from addon.blender.operators import measurements, realisation
 from addon.blender.panels.preview import draw_preview
 from addon.export import spectrum_csv
+from addon.models.realisations import REALISATIONS
 from addon.spectra.optical_constants import load
 from tests import drawn
 
@@ -108,3 +109,10 @@ def test_operators_are_off_where_they_cannot_work(target):
     bpy.context.scene.collection.objects.link(empty)
     bpy.context.view_layer.objects.active = empty
     assert not bpy.ops.facet_film.bake_preset.poll()
+
+
+def test_the_button_of_each_way_to_render_says_what_it_is_for(target):
+    switch = realisation.FACET_FILM_OT_switch_realisation
+    said = {name: switch.description(bpy.context, SimpleNamespace(realisation=name)) for name in REALISATIONS}
+    assert said["fast"].startswith("Clean and fast") and "published formula itself" in said["exact"]
+    assert len(set(said.values())) == len(REALISATIONS)

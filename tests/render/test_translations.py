@@ -30,7 +30,7 @@ ENGLISH_ONLY = {"shell/commands.py", "models/cook_torrance/parameters.py", "mode
 NOT_SHOWN = {
     "# A material of Facet & Film, as JSON in a comment of one line.\n#",
     "Thin Film Thickness", "Thin Film IOR",  # sockets of Blender's
-    "The Fast realisation, for an EEVEE material output",  # kept in the group, whatever the language
+    "The Standard realisation, for an EEVEE material output",  # kept in the group, whatever the language
 }
 """Sentences of addon/blender that nobody sees in the interface."""
 SENTENCE = re.compile(r"[A-Za-z]{2,} +[A-Za-z&]+ +[A-Za-z]{2,}")

@@ -1,4 +1,4 @@
-"""The sampler of Cook-Torrance Exact: what it draws and weighs against the formula, without a renderer."""
+"""The sampler of Cook-Torrance Reference: what it draws and weighs against the formula, without a renderer."""
 
 import numpy as np
 import pytest

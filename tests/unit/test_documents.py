@@ -9,6 +9,8 @@ from PIL import Image
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
 PICTURES = sorted((ROOT / "docs" / "pictures").iterdir())
+MOST_BYTES = {"poster.jpg": 1_500_000}
+"""Of a sheet that shows hundreds."""
 LINK = re.compile(r"\]\((?!https?:|#)([^)#\s]+)")
 
 
@@ -37,7 +39,7 @@ def generator_of(picture):
 
 @pytest.mark.parametrize("picture", PICTURES, ids=lambda path: path.name)
 def test_pictures_have_a_generator_and_are_small(picture):
-    assert picture.stat().st_size <= 500_000
+    assert picture.stat().st_size <= MOST_BYTES.get(picture.name, 500_000)
     generator = generator_of(picture)
     assert generator and generator.is_file()
     assert generator.parent.name != "demo_blend" or picture.name.startswith(generator.stem)

@@ -7,6 +7,7 @@ import pytest
 from addon import finishes
 from addon.errors import FacetFilmError
 from addon.finishes import feeding
+from addon.finishes.groups import GROUPS
 from addon.models import all_models, named
 from addon.models.finishing import finished, kept_finish
 from addon.models.making import made, rebaked, switched
@@ -18,7 +19,7 @@ TAKE = [model for model in all_models() if feeding.takes(model)]
 
 def tables():
     return {group.identifier: import_module("addon.finishes." + group.build.partition(".")[0])
-            for group in finishes.GROUPS}
+            for group in GROUPS}
 
 
 def test_there_are_the_finishes_that_people_ask_for():

@@ -19,6 +19,8 @@ MODULE = "bl_ext.user_default.facet_film"
 ZIP = str(FOLDER / "facet_film.zip")
 HANGS_AFTER = 140
 LOOK = 0.04
+KEYS = {" ": "SPACE", "-": "MINUS", ".": "PERIOD", **dict(zip("0123456789", (
+    "ZERO", "ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX", "SEVEN", "EIGHT", "NINE"), strict=True))}
 started = time.perf_counter()
 report = {"steps": [], "skipped": [], "failure": "", "clicks": 0}
 log_file = (FOLDER / "log.txt").open("a", encoding="utf-8")
@@ -113,11 +115,10 @@ def key(name, at, **modifiers):
 
 
 def write(text, at):
-    """Type letters."""
+    """Type letters, digits and the like."""
     x, y = map(int, at)
-    names = {" ": "SPACE", "-": "MINUS"}
     for letter in text:
-        name = names.get(letter, letter.upper())
+        name = KEYS.get(letter, letter.upper())
         window().event_simulate(name, "PRESS", unicode=letter, x=x, y=y)
         window().event_simulate(name, "RELEASE", x=x, y=y)
         yield 0.05

@@ -24,6 +24,9 @@ sys.path.insert(0, str(ROOT))
 
 from tools.package import build  # noqa: E402
 
+TUTORIALS = {"tutorial_copper": "brushed_copper.md", "tutorial_ring": "anodised_ring.md",
+             "tutorial_water": "glass_of_water.md"}
+"""Sessions of the documents' tutorials, which take their pictures; run by name, or all by "tutorials"."""
 SESSIONS = ("newcomer", "picker", "panel", "shader_editor", "assets", "fitting")
 AT_MOST_S = 150
 RETRY_UNTIL_S = 300
@@ -44,7 +47,8 @@ def main():
                  "starts one")
     out = options.out.resolve()
     package = build(out)
-    results = [twice(name, blender, package, out) for name in options.sessions]
+    sessions = TUTORIALS if list(options.sessions) == ["tutorials"] else options.sessions
+    results = [twice(name, blender, package, out) for name in sessions]
     sys.exit(FAILED if FAILED in results else max(results))
 
 
@@ -58,6 +62,8 @@ def twice(name, blender, package, out):
         (folder / "profile").mkdir(parents=True)
         for file in HERE.glob("*.py"):
             shutil.copy(file, folder)
+        if name in TUTORIALS:
+            shutil.copy(ROOT / "docs" / TUTORIALS[name], folder)
         shutil.copy(package, folder / "facet_film.zip")
         start(blender, folder, name)
         result = judge(folder, name, attempt)

@@ -39,16 +39,16 @@ def session():
     yield from key("A", at, shift=True)
     yield 0.5
     picture("add_menu")
-    yield from write("layered rgb fast", at)
+    yield from write("layered rgb standard", at)
     yield 0.7
     picture("add_typed")
     yield from key("RET", at)
     yield 0.3
     yield from click(*middle_of(area))  # puts down what hangs on the mouse
-    yield from until(lambda: groups() == ["Layered RGB Fast"], "the group is there")
+    yield from until(lambda: groups() == ["Layered RGB Standard"], "the group is there")
     yield from undone(area, 0)
     yield from hands.redo(middle_of(area))
-    yield from until(lambda: groups() == ["Layered RGB Fast"], "there again after redo")
+    yield from until(lambda: groups() == ["Layered RGB Standard"], "there again after redo")
 
     step("add a group from the Add menu by clicks")
     bpy.types.FACET_FILM_MT_add.append(note_opened)

@@ -14,8 +14,6 @@ from .. import compat
 from ..datablocks.groups import is_bringing, merge_groups
 from ..datablocks.locked import is_editable
 from ..datablocks.materials import baked_of, our_node, record_of, write
-from ..datablocks.spaces import bring, is_foreign
-from .names import title_of
 
 __all__ = ["STAND_IN_KEY", "attach", "detach", "renew"]
 
@@ -44,6 +42,8 @@ def renew(material):
     space, or another's.
     """
     from ...models.making import made, renewed
+    from ..datablocks.spaces import is_foreign
+    from .names import title_of
     baked = baked_of(material)
     if material.name != title_of(material.name) and title_of(material.name) == baked.get("title"):
         material.name = baked["title"]
@@ -58,6 +58,7 @@ def renew(material):
 
 def _bring(material):
     """Bring a material into the file's space; one whose measurement is not to be had stays, and the panel says so."""
+    from ..datablocks.spaces import bring
     try:
         bring(material)
     except FacetFilmError as error:

@@ -1,7 +1,5 @@
 """The small pictures of the presets, as icons of Blender's: shipped ones, or drawn where there is none."""
 
-import bpy.utils.previews
-
 __all__ = ["clear", "colour_icon", "preset_icon", "strip_icon"]
 
 _held = []
@@ -36,12 +34,14 @@ def strip_icon(cos_theta, rgb, space):
 def clear():
     """Give all pictures back."""
     while _held:
+        import bpy.utils.previews
         bpy.utils.previews.remove(_held.pop())
 
 
 def _icon(key, draw, file=None):
     from ...errors import FacetFilmError
     if not _held:
+        import bpy.utils.previews
         _held.append(bpy.utils.previews.new())
     if key in _held[0]:
         return _held[0][key].icon_id

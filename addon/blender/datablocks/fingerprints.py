@@ -8,7 +8,7 @@ import struct
 
 from .. import compat
 
-__all__ = ["fingerprint", "fingerprint_0_1_0"]
+__all__ = ["fingerprint", "fingerprint_0_1_0", "fingerprint_of_part"]
 
 
 def _single(*numbers):
@@ -27,7 +27,7 @@ SETTINGS = {
     "ShaderNodeBsdfGlass": ("distribution",), "ShaderNodeBsdfRefraction": ("distribution",),
     "ShaderNodeTexVoronoi": ("voronoi_dimensions", "feature", "distance", "normalize"),
     "ShaderNodeAmbientOcclusion": ("samples", "inside", "only_local"),
-    "ShaderNodeLightPath": (), "ShaderNodeFloatCurve": (),
+    "ShaderNodeLightPath": (), "ShaderNodeObjectInfo": (), "ShaderNodeFloatCurve": (),
     "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
     "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
@@ -48,12 +48,16 @@ OF_SOCKETS = ("socket_type", "default_value", "min_value", "max_value", "subtype
 SETTLED = 1e-5
 """How far a colour's channel may be off three digits and still be them."""
 
-ID_KEY = "facet_film_id"
+ID_KEY, PART_KEY = "facet_film_id", "facet_film_part"
+"""What is kept in our groups: which one it is; and in the parts of them, what they compute."""
 
 
-def fingerprint(tree):
-    """Of a group's nodes, links, values and interface."""
-    digest = hashlib.sha256()
+def fingerprint(tree, known=None):
+    """Of a group's nodes, links, values and interface, and of the parts in it.
+
+    known  fingerprints of parts that were taken already
+    """
+    digest, known = hashlib.sha256(), {} if known is None else known
     for item in tree.interface.items_tree:
         facts = [item.item_type, item.name, item.parent.name]
         if item.item_type == "SOCKET":
@@ -61,17 +65,17 @@ def fingerprint(tree):
         digest.update(repr(facts).encode())
     for node in tree.nodes:
         if node.bl_idname != "NodeFrame":
-            digest.update(repr(_of_node(node)).encode())
+            digest.update(repr(_of_node(node, known)).encode())
     for link in tree.links:
         digest.update(_of_link(link).encode())
     return digest.hexdigest()[:16]
 
 
-def _of_node(node):
+def _of_node(node, known):
     kind = node.bl_idname
     facts = [node.name, kind, *(getattr(node, name) for name in SETTINGS.get(kind, ()))]
     if kind == "ShaderNodeGroup" and node.node_tree is not None:
-        facts.append(node.node_tree.get(ID_KEY, node.node_tree.name))
+        facts.append(node.node_tree.get(ID_KEY) or fingerprint_of_part(node.node_tree, known))
     if kind == "ShaderNodeScript" and node.script is not None:
         facts.append(hashlib.sha256(node.script.as_string().encode()).hexdigest())
     if kind == "ShaderNodeFloatCurve":
@@ -80,6 +84,13 @@ def _of_node(node):
     facts += [(socket.identifier, _shown(idle.get(socket.identifier, socket.default_value)))
               for socket in _valued(node)]
     return facts
+
+
+def fingerprint_of_part(tree, known):
+    """The fingerprint of a group inside others that has no id of ours, which is kept in `known` by its name."""
+    if tree.name not in known:
+        known[tree.name] = fingerprint(tree, known)
+    return known[tree.name]
 
 
 def _valued(node):

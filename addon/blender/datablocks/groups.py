@@ -5,10 +5,11 @@ from pathlib import Path
 
 import bpy
 
-from ... import finishes, models
+from ... import models
 from ...models.realisations import REALISATIONS
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .locked import is_editable
+from .parts import drop_unused_parts, mark_parts, merge_parts
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
@@ -36,8 +37,9 @@ def is_bringing():
 @functools.lru_cache(maxsize=1)
 def _owners():
     """{group's id: (Model, Group)} of all models, and of the finishes, which belong to no Model."""
+    from ...finishes.groups import GROUPS
     found = {group.identifier: (model, group) for model in models.all_models() for group in model.groups}
-    return {**found, **{group.identifier: (None, group) for group in finishes.GROUPS}}
+    return {**found, **{group.identifier: (None, group) for group in GROUPS}}
 
 
 def forget():
@@ -85,6 +87,7 @@ def node_group(identifier, image=None):
         mark(tree, group)
     if group.pictured:
         put_image(tree, image)
+    merge_parts()
     return tree
 
 
@@ -103,6 +106,8 @@ def _merged(trees, group, image):
         bpy.data.node_groups.remove(tree)
     if others and group.stand_in:
         node_group(group.stand_in, image)  # the others brought one of that, too
+    if others:
+        drop_unused_parts()
     return first
 
 
@@ -133,10 +138,14 @@ def build_group(identifier):
     model, group = _owners()[identifier]
     builder = GroupBuilder(group.name)
     if model is None:
-        finishes.build(group, builder)
+        from ...finishes.groups import build
+        build(group, builder)
     else:
         model.build(identifier, builder)
-    return builder.finish()
+    tree = builder.finish()
+    mark_parts(part.tree for part in builder.parts.values())
+    merge_parts()
+    return tree
 
 
 def library_file(identifier):
@@ -162,10 +171,10 @@ def _from_library(group):
 
 
 def _add_eevee_output(tree, fast):
-    """Give the group a second shader, Fast with the same inputs, for an EEVEE material output."""
+    """Give the group a second shader, Standard with the same inputs, for an EEVEE material output."""
     output = _output_of(tree)
     stand_in = _nested(tree, fast, output.location.y - 300)
-    item = tree.interface.new_socket(EEVEE_OUTPUT, description="The Fast realisation, for an EEVEE material output",
+    item = tree.interface.new_socket(EEVEE_OUTPUT, description="The Standard realisation, for an EEVEE material output",
                                      in_out="OUTPUT", socket_type="NodeSocketShader")
     target = next(socket for socket in output.inputs if socket.identifier == item.identifier)
     tree.links.new(stand_in.outputs[0], target)

@@ -68,7 +68,8 @@ def write(material: bpy.types.Material, record: Record) -> None:
         node = material.node_tree.nodes.new("ShaderNodeGroup")
         node.width = NODE_WIDTH
     write_node(material.node_tree, node, record)
-    set_refraction(material, model_of_group(record.group).refracts)
+    model = model_of_group(record.group)
+    set_refraction(material, model.refracts, model.sheet(record.parameters))
     material[RECORD_KEY] = record.to_json()
     _show_in_viewport(material, record)
 
@@ -151,7 +152,7 @@ def _link_feed(tree, node, feed, links):
 def _feeding(node):
     """{group's id: node} of the groups of ours that feed the node and are no material themselves."""
     found = {}
-    for link in [link for socket in node.inputs for link in socket.links]:
+    for link in [link for socket in node.inputs if socket.is_linked for link in socket.links]:
         tree = getattr(link.from_node, "node_tree", None)
         if group_of(group_id(tree)) is not None and found_in(tree) is None:
             found[group_id(tree)] = link.from_node

@@ -2,7 +2,6 @@
 
 import functools
 
-from ...finishes import GROUPS
 from ...models import all_models
 from .ramps import RAMP_ID
 
@@ -13,6 +12,7 @@ RAMP = (RAMP_ID, "Fresnel Ramp", "Colour of a preset's mirror over the angle, fo
 
 def parts():
     """[[(group's id, title, summary), …] of each model, of the finishes, and of what belongs to none]."""
+    from ...finishes.groups import GROUPS
     return [[(group.identifier, group.name, group.summary) for group in model.groups if group.in_menu]
             for model in all_models()] + [[(group.identifier, group.name, group.summary) for group in GROUPS], [RAMP]]
 

@@ -6,6 +6,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from .fingerprints import ID_KEY
 from .groups import VERSION_KEY, edited, group_of, node_group
 from .materials import exchange_group
+from .parts import drop_unused_parts
 from .pictures import image_in
 
 __all__ = ["Outdated", "outdated_groups", "update"]
@@ -58,6 +59,7 @@ def update():
         group.tree.name = f"{group.tree.name} version {group.found}"  # its name is the current one's
     updated = sum(_replace(group) for group in replaced)
     _remove_unused()
+    drop_unused_parts()
     return updated, [reason for reason in reasons if reason]
 
 

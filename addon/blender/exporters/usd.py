@@ -5,8 +5,6 @@ import importlib.util
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from .told import told_of
-
 __all__ = ["attach", "detach"]
 
 SURFACE, OPENPBR = "Facet_Film", "Facet_Film_OpenPBR"
@@ -25,6 +23,7 @@ class FACET_FILM_USD_hook(HOOK):
     @staticmethod
     def on_material_export(_context, material, usd_material):
         """Write what this material is, in place of what the exporter found in its nodes."""
+        from .told import told_of
         told = told_of(getattr(material, "original", material))
         if told is None:
             return False

@@ -6,11 +6,14 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from ..datablocks.groups import node_group
 from ..datablocks.locked import why_locked
-from ..datablocks.menu import group_items
-from ..datablocks.ramps import RAMP_ID
 from ..settings import preset_property
 
 __all__ = ["CLASSES"]
+
+
+def _groups(_self, _context):
+    from ..datablocks.menu import group_items
+    return group_items()
 
 
 class FACET_FILM_OT_add_group(bpy.types.Operator):
@@ -21,7 +24,7 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     group: bpy.props.EnumProperty(
-        name="Group", items=lambda _self, _context: group_items(), description="Which group to add")
+        name="Group", items=_groups, description="Which group to add")
     preset: preset_property()
 
     @classmethod
@@ -48,6 +51,7 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
     def execute(self, context):
         """Add the node at the cursor."""
         from ...api import create_fresnel_ramp
+        from ..datablocks.ramps import RAMP_ID
         space = context.space_data
         try:
             ramp = self.group == RAMP_ID

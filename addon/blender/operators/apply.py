@@ -2,11 +2,8 @@
 
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
-from bpy_extras import view3d_utils
 
 from ...errors import FacetFilmError
-from ..assets.names import preset_of
-from ..assets.search_items import items
 from ..datablocks.materials import realisation_of
 from ..missing import IN_EVERY_ENGINE
 from ..settings import OWN_FINISH, preferences, preset_property, viewing_of
@@ -28,6 +25,7 @@ class _OfAsset:
 
     def chosen(self):
         """Name of the preset whose picture was clicked."""
+        from ..assets.names import preset_of
         name = self.relative_asset_identifier.rpartition("/Material/")[2]
         found = preset_of(name)
         if found is None:
@@ -87,6 +85,11 @@ class FACET_FILM_OT_apply(_OfAsset, OnObjects, bpy.types.Operator):
         return _apply(self, context, lambda: self.preset or self.chosen(), self.to)
 
 
+def _listed(_self, _context):
+    from ..assets.search_items import items
+    return items()
+
+
 class FACET_FILM_OT_search(OnObjects, bpy.types.Operator):
     """Find a material by its name, its formula or any other name for it, and put it on the selected objects"""
 
@@ -96,7 +99,7 @@ class FACET_FILM_OT_search(OnObjects, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     preset: bpy.props.EnumProperty(
-        name="Material", items=lambda _self, _context: items(), description="Which material to apply")
+        name="Material", items=_listed, description="Which material to apply")
 
     def invoke(self, context, _event):
         """Open the search."""
@@ -105,7 +108,8 @@ class FACET_FILM_OT_search(OnObjects, bpy.types.Operator):
 
     def execute(self, context):
         """Apply what was chosen."""
-        return _apply(self, context, lambda: self.preset, TO[0][0])
+        from ..assets.search_items import preset_of_item
+        return _apply(self, context, lambda: preset_of_item(self.preset), TO[0][0])
 
 
 class FACET_FILM_OT_drop(_OfAsset, bpy.types.Operator):
@@ -165,6 +169,7 @@ def slot_of_face(target, face):
 
 def under_mouse(context, event):
     """(object, number of its face) under the mouse in a 3D view of the window, or (None, 0)."""
+    from bpy_extras import view3d_utils
     for area in context.window.screen.areas:
         region = next((region for region in area.regions if region.type == "WINDOW"), None)
         if area.type == "VIEW_3D" and _is_in(area, event) and not _covered(area, event):

@@ -8,7 +8,6 @@ from .. import compat
 from ..datablocks.groups import group_id
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import found_in, our_node, record_of, record_of_node, write, write_node
-from ..datablocks.ramps import RAMP_ID
 from ..settings import Viewing, preset_property, viewing_of
 
 __all__ = ["CLASSES", "takes_presets", "write_preset"]
@@ -17,7 +16,12 @@ __all__ = ["CLASSES", "takes_presets", "write_preset"]
 def takes_presets(node):
     """Whether a node takes presets: one that renders a material of ours, or a ramp."""
     tree = getattr(node, "node_tree", None)
-    return group_id(tree) == RAMP_ID or found_in(tree) is not None
+    return _is_ramp(tree) or found_in(tree) is not None
+
+
+def _is_ramp(tree):
+    from ..datablocks.ramps import RAMP_ID
+    return group_id(tree) == RAMP_ID
 
 
 def write_preset(node, preset, viewing, owner=None):
@@ -31,7 +35,7 @@ def write_preset(node, preset, viewing, owner=None):
     from ...api import create_fresnel_ramp
     from ...models.finishing import kept_finish
     from ...models.making import made
-    if group_id(node.node_tree) == RAMP_ID:
+    if _is_ramp(node.node_tree):
         node.node_tree = create_fresnel_ramp(preset, **viewing)
         node.label = node.node_tree.name
         return

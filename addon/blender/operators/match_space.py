@@ -3,7 +3,6 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from ..datablocks.spaces import brought, foreign_materials
 from .rebake_all import OneByOne
 
 __all__ = ["CLASSES"]
@@ -20,6 +19,7 @@ what you changed moved along. Esc stops it, and then nothing is changed"""
     @classmethod
     def poll(cls, _context):
         """Off where all are in it."""
+        from ..datablocks.spaces import foreign_materials
         if not foreign_materials():
             cls.poll_message_set(rpt_("All materials of Facet & Film in this file are in its working space"))
             return False
@@ -27,10 +27,12 @@ what you changed moved along. Esc stops it, and then nothing is changed"""
 
     def waiting(self, _context):
         """Those of another space."""
+        from ..datablocks.spaces import foreign_materials
         return foreign_materials()
 
     def baked(self, material):
         """The record in the file's space."""
+        from ..datablocks.spaces import brought
         return brought(material)
 
 

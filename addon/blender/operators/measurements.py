@@ -7,7 +7,6 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ..panels.preview import draw_preview
 from ..settings import Viewing, realisation_property, viewing_of
 from .targets import OnObjects, put, said_of
 
@@ -61,6 +60,7 @@ class _FromMeasurement(OnObjects, Viewing):
 
     def draw(self, context):
         """What it is read as."""
+        from ..panels.preview import draw_preview
         draw_preview(self.layout, self, self.seen(), context.region)
 
 

@@ -2,8 +2,10 @@
 
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
+from bpy.app.translations import pgettext_tip as tip_
 
 from ...errors import FacetFilmError
+from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import model_of
 from ..missing import shown_name, what_is_missing
@@ -21,6 +23,11 @@ class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     realisation: realisation_property(usual=False)
+
+    @classmethod
+    def description(cls, _context, properties):
+        """What the realisation of a button is for, in one sentence."""
+        return tip_(REALISATIONS[properties.realisation].tip)
 
     @classmethod
     def poll(cls, context):

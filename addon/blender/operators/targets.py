@@ -10,7 +10,6 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..datablocks.locked import is_editable, why_locked
 from ..datablocks.materials import baked_of, our_node
-from ..datablocks.untouched import is_untouched
 
 __all__ = ["OnObjects", "Put", "TO", "active_material", "put", "put_in", "put_said", "said_of", "why_not", "why_not_on"]
 
@@ -126,6 +125,7 @@ def _owner(target, number):
 def _keep(material):
     """What someone made by hand does not go with the file when nothing uses it any more."""
     if is_editable_material(material) and not material.users and our_node(material) is None:
+        from ..datablocks.untouched import is_untouched
         material.use_fake_user = not is_untouched(material)
 
 

@@ -3,8 +3,6 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from ..datablocks.versions import outdated_groups, update
-
 __all__ = ["CLASSES"]
 
 
@@ -18,6 +16,7 @@ class FACET_FILM_OT_update(bpy.types.Operator):
     @classmethod
     def poll(cls, _context):
         """Off where nothing is of another version."""
+        from ..datablocks.versions import outdated_groups
         if not outdated_groups():
             cls.poll_message_set(rpt_("Everything in this file is of this version"))
             return False
@@ -25,6 +24,7 @@ class FACET_FILM_OT_update(bpy.types.Operator):
 
     def execute(self, _context):
         """Update, and say what was left alone and why."""
+        from ..datablocks.versions import update
         updated, reasons = update()
         if updated:
             self.report({"INFO"}, rpt_("Nodes updated: {:d}").format(updated))

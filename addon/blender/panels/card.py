@@ -43,11 +43,11 @@ def draw_card(layout, context):
 
 def _draw_face(column, material):
     """What one turns first, of a material of ours: its finish, and what the table calls Roughness and Tint."""
-    from ...finishes.feeding import takes
-    node, model = our_node(material), model_of(material)
+    node = our_node(material)
     if node is None:
         return
-    if takes(model):
+    from ...finishes.feeding import takes
+    if takes(model_of(material)):
         shown = iface_("Finish: {:s}").format(shown_finish(material))
         column.operator_menu_enum("facet_film.apply_finish", "finish", text=shown, translate=False)
     known = described(node.node_tree)

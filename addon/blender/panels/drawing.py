@@ -15,8 +15,14 @@ PIXELS_A_LETTER = 6.5
 def draw_sentence(layout, text, icon, region=None):
     """A long sentence in a box, as labels of one line each that fit the region."""
     box = layout.box().column(align=True)
-    for number, line in enumerate(textwrap.wrap(text, _letters(region))):
+    for number, line in enumerate(_wrapped(text, _letters(region))):
         box.label(text=line, icon=icon if number == 0 else "BLANK1", translate=False)
+
+
+@functools.lru_cache(maxsize=256)
+def _wrapped(text, letters):
+    """Lines of a text, which is the same at nearly every redraw."""
+    return textwrap.wrap(text, letters)
 
 
 def _letters(region):
@@ -30,7 +36,7 @@ def draw_facts(layout, facts, region=None):
     """Names on the left, values on the right; long values in several lines."""
     column = layout.column(align=True)
     for name, value in facts:
-        lines = textwrap.wrap(value, max(20, int(_letters(region) * 0.65))) or [""]
+        lines = _wrapped(value, max(20, int(_letters(region) * 0.65))) or [""]
         for number, line in enumerate(lines):
             row = column.split(factor=0.33)
             left = row.row()

@@ -20,9 +20,11 @@ class FACET_FILM_PT_finish(MaterialPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         """Shown for materials of ours whose model has a roughness."""
-        from ...finishes.feeding import takes
         model = model_of(context.material)
-        return model is not None and takes(model)
+        if model is None:
+            return False
+        from ...finishes.feeding import takes
+        return takes(model)
 
     def draw(self, context):
         """A menu of the finishes, and the sockets of the node that leaves the marks."""

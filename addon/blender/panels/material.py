@@ -5,7 +5,6 @@ import bpy
 from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import model_of, our_node, realisation_of
-from ..datablocks.spaces import said_of_space
 from ..missing import shown_name, what_is_missing
 from ..operators.user_presets import draw_header
 from .card import takes_materials
@@ -75,6 +74,7 @@ def _draw_realisations(layout, model, current):
 
 def draw_space(layout, context, material):
     """That a material is for another working space than the file's, and the button for all such; else nothing."""
+    from ..datablocks.spaces import said_of_space
     said = said_of_space(material)
     if said:
         draw_sentence(layout, said, "ERROR", context.region)

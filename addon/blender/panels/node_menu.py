@@ -2,7 +2,6 @@
 
 import bpy
 
-from ..datablocks.menu import parts
 from .menus import draw_in_menu
 
 __all__ = ["CLASSES", "attach", "detach"]
@@ -16,6 +15,7 @@ class FACET_FILM_MT_add(bpy.types.Menu):
 
     def draw(self, context):
         """An entry a group; the ramp is of the preset chosen in the panel."""
+        from ..datablocks.menu import parts
         layout = self.layout
         layout.operator_context = "INVOKE_REGION_WIN"
         settings = context.window_manager.facet_film

@@ -3,8 +3,6 @@
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
-from ..datablocks.versions import outdated_groups
-
 __all__ = ["CLASSES"]
 
 
@@ -20,10 +18,12 @@ class FACET_FILM_PT_update(bpy.types.Panel):
     @classmethod
     def poll(cls, _context):
         """Shown only where there is something to say."""
+        from ..datablocks.versions import outdated_groups
         return bool(outdated_groups())
 
     def draw(self, _context):
         """A line a group, and the button."""
+        from ..datablocks.versions import outdated_groups
         column = self.layout.column(align=True)
         for group in outdated_groups():
             said = iface_("{:s}: version {:d}, now {:d}").format(group.tree.name, group.found, group.now)

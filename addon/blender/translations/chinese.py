@@ -57,6 +57,8 @@ TEXTS = {
         "表格最多有 {most} 个条目，而不是 {rows} × {columns}；请减少行数或列数。",
     "A thickness that varies becomes its middle.":
         "变化的厚度取其中间值。",
+    "A thin layer after Granier and Heidrich, clean and fast, in Cycles and in EEVEE: the one to take first":
+        "Granier 与 Heidrich 的薄层，干净快速，适用于 Cycles 和 EEVEE：首选",
     "A verification is running":
         "验证正在运行",
     "Absorption":
@@ -208,16 +210,14 @@ TEXTS = {
         "比较测量值",
     "Concentration":
         "浓度",
-    "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
-        "以原生闭包实现的 Cook 与 Torrance 1982：光源采样，适用于所有设备及 EEVEE",
     "Cook and Torrance's own choice, with a wider foot":
         "库克与托兰斯的选择，尾部更宽",
-    "Cook-Torrance Exact":
-        "Cook–Torrance 精确",
-    "Cook-Torrance Fast":
-        "Cook–Torrance 快速",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
+    "Cook-Torrance Reference":
+        "Cook–Torrance（参考）",
+    "Cook-Torrance Standard":
+        "Cook–Torrance（标准）",
     "Curve":
         "曲线",
     "Cut every channel off at 0 and 1":
@@ -314,14 +314,18 @@ TEXTS = {
         "文件的工作空间",
     "Film Anodising":
         "薄膜阳极氧化",
-    "Film Exact":
-        "薄膜 精确",
-    "Film Fast":
-        "薄膜 快速",
     "Film Heat Tint":
         "薄膜热着色",
+    "Film Reference":
+        "薄膜（参考）",
+    "Film Standard":
+        "薄膜（标准）",
     "Film Thickness":
         "薄膜厚度",
+    "Films of measured layers, at the angle of every facet: slower and noisier, to compare with":
+        "由实测膜层组成的薄膜，按每个微面的角度计算：较慢且噪点较多，用于对照",
+    "Films of measured layers, clean and fast: the one to take first":
+        "由实测膜层组成的薄膜，干净快速：首选",
     "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
         "按名称、化学式或任何别名查找材质，并赋予所选物体",
     "Fine scratches, for Roughness and Normal":
@@ -362,12 +366,12 @@ TEXTS = {
         "为已保存的预设改名",
     "Give this material another finish; what it is made of stays":
         "为此材质换一种表面处理；其材料不变",
+    "Glass and gems with the colours of the rainbow, each refracted by its own index":
+        "带彩虹色的玻璃与宝石，每种颜色以各自的折射率折射",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "单一折射率的玻璃、液体和宝石，颜色取决于光在其中的路径",
     "Gradient":
         "渐变",
-    "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
-        "以原生闭包实现的 Granier 与 Heidrich 分层 RGB 模型，也可用于 EEVEE",
     "Greatest Thickness":
         "最大厚度",
     "Group":
@@ -414,12 +418,12 @@ TEXTS = {
         "层厚度",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "层堆的第 {place} 层在每个波长处都需要 n 大于 0 且 k 不小于 0。",
-    "Layered RGB Exact":
-        "Layered RGB 精确",
-    "Layered RGB Fast":
-        "Layered RGB 快速",
     "Layered RGB OSL":
         "Layered RGB OSL",
+    "Layered RGB Reference":
+        "Layered RGB（参考）",
+    "Layered RGB Standard":
+        "Layered RGB（标准）",
     "Least Thickness":
         "最小厚度",
     "Leave":
@@ -465,6 +469,8 @@ TEXTS = {
         "测量",
     "Menus":
         "菜单",
+    "Metals, plastics and stone, clean and fast, in Cycles and in EEVEE: the one to take first":
+        "金属、塑料与石材，干净快速，适用于 Cycles 和 EEVEE：首选",
     "Model":
         "模型",
     "Name a saved preset, and a new name with at least one letter":
@@ -667,10 +673,6 @@ TEXTS = {
         "柔和度",
     "Specular":
         "镜面",
-    "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
-        "按每个微面的角度计算的薄膜堆叠，仅用节点采样，适用于所有设备",
-    "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
-        "以原生闭包实现的薄膜堆叠，每个通道一个波瓣：按光源采样，适用于所有设备",
     "Standard":
         "标准",
     "Standard as an OSL script: needs Open Shading Language switched on":
@@ -720,14 +722,6 @@ TEXTS = {
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
-    "The formula of Cook and Torrance 1982 itself as an OSL script":
-        "以 OSL 脚本表示的 Cook 与 Torrance 1982 原公式",
-    "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device":
-        "Cook 与 Torrance 1982 的原公式，仅用节点采样，适用于所有设备",
-    "The formula of Granier and Heidrich 2003 itself as an OSL script":
-        "以 OSL 脚本表示的 Granier 与 Heidrich 2003 原公式",
-    "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device":
-        "Granier 与 Heidrich 2003 的原公式，仅用节点采样，适用于所有设备",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
     "The library is in your preferences already":
@@ -752,10 +746,16 @@ TEXTS = {
         "以 OSL 脚本实现的论文公式：需要在渲染属性中打开 Open Shading Language，用于 CPU 或 OptiX；EEVEE 显示标准方式",
     "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
         "论文公式本身，适用于所有设备：较慢且噪点较多，用于对照；EEVEE 显示标准方式",
+    "The published formula of Cook and Torrance 1982 as an OSL script, to read beside the paper":
+        "Cook 与 Torrance 1982 论文公式的 OSL 脚本，可对照论文阅读",
+    "The published formula of Cook and Torrance 1982 itself: slower and noisier, to compare with":
+        "Cook 与 Torrance 1982 的论文公式本身：较慢且噪点较多，用于对照",
+    "The published formula of Granier and Heidrich 2003 as an OSL script, to read beside the paper":
+        "Granier 与 Heidrich 2003 论文公式的 OSL 脚本，可对照论文阅读",
+    "The published formula of Granier and Heidrich 2003 itself: slower and noisier, to compare with":
+        "Granier 与 Heidrich 2003 的论文公式本身：较慢且噪点较多，用于对照",
     "The rough finish of the paper's copper vase":
         "论文中铜花瓶的粗糙表面",
-    "The same with the colours of the rainbow, each refracted by its own index":
-        "同上，并带有彩虹色，每种颜色以各自的折射率折射",
     "The scene-linear space of this file":
         "此文件的场景线性空间",
     "The scene-linear space of this file has no three primaries; choose another OpenColorIO "

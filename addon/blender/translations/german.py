@@ -59,6 +59,8 @@ TEXTS = {
         "Eine Tabelle hat höchstens {most} Einträge, nicht {rows} × {columns}; weniger Zeilen oder Spalten nehmen.",
     "A thickness that varies becomes its middle.":
         "Aus einer Dicke, die wechselt, wird ihre Mitte.",
+    "A thin layer after Granier and Heidrich, clean and fast, in Cycles and in EEVEE: the one to take first":
+        "Eine dünne Schicht nach Granier und Heidrich, rauscharm und schnell, in Cycles und in EEVEE: die erste Wahl",
     "A verification is running":
         "Eine Prüfung läuft",
     "Absorption":
@@ -215,16 +217,14 @@ TEXTS = {
         "Messungen vergleichen",
     "Concentration":
         "Konzentration",
-    "Cook and Torrance 1982 by native closures: light-sampled, on every device, and in EEVEE":
-        "Cook und Torrance 1982 mit eingebauten Shadern: mit Licht-Sampling, auf jedem Gerät und in EEVEE",
     "Cook and Torrance's own choice, with a wider foot":
         "Die Wahl von Cook und Torrance, mit breiterem Fuß",
-    "Cook-Torrance Exact":
-        "Cook–Torrance exakt",
-    "Cook-Torrance Fast":
-        "Cook–Torrance schnell",
     "Cook-Torrance OSL":
         "Cook–Torrance OSL",
+    "Cook-Torrance Reference":
+        "Cook–Torrance, Referenz",
+    "Cook-Torrance Standard":
+        "Cook–Torrance, Standard",
     "Curve":
         "Kurve",
     "Cut every channel off at 0 and 1":
@@ -321,14 +321,18 @@ TEXTS = {
         "Arbeitsfarbraum der Datei",
     "Film Anodising":
         "Film Anodisieren",
-    "Film Exact":
-        "Film Exakt",
-    "Film Fast":
-        "Film Schnell",
     "Film Heat Tint":
         "Film Anlauffarbe",
+    "Film Reference":
+        "Film, Referenz",
+    "Film Standard":
+        "Film, Standard",
     "Film Thickness":
         "Filmdicke",
+    "Films of measured layers, at the angle of every facet: slower and noisier, to compare with":
+        "Stapel gemessener dünner Schichten, im Winkel jeder Facette: langsamer und mit mehr Rauschen, zum Vergleich",
+    "Films of measured layers, clean and fast: the one to take first":
+        "Stapel gemessener dünner Schichten, rauscharm und schnell: die erste Wahl",
     "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
         "Findet ein Material nach Namen, Formel oder jedem anderen Namen und gibt es den gewählten Objekten",
     "Fine scratches, for Roughness and Normal":
@@ -369,12 +373,12 @@ TEXTS = {
         "Gibt einer gespeicherten Voreinstellung einen anderen Namen",
     "Give this material another finish; what it is made of stays":
         "Gibt diesem Material eine andere Oberfläche; woraus es besteht, bleibt",
+    "Glass and gems with the colours of the rainbow, each refracted by its own index":
+        "Glas und Edelsteine mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "Glass, liquids and gems of one index of refraction, coloured by the way through them":
         "Glas, Flüssigkeiten und Edelsteine mit einer Brechzahl, gefärbt vom Weg durch sie hindurch",
     "Gradient":
         "Verlauf",
-    "Granier and Heidrich's layered RGB model by native closures, also in EEVEE":
-        "Das geschichtete RGB-Modell von Granier und Heidrich mit eingebauten Shadern, auch in EEVEE",
     "Greatest Thickness":
         "Größte Dicke",
     "Group":
@@ -421,12 +425,12 @@ TEXTS = {
         "Schichtdicke",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
         "Lage {place} eines Stapels braucht bei jeder Wellenlänge n über 0 und k von mindestens 0.",
-    "Layered RGB Exact":
-        "Layered RGB exakt",
-    "Layered RGB Fast":
-        "Layered RGB schnell",
     "Layered RGB OSL":
         "Layered RGB OSL",
+    "Layered RGB Reference":
+        "Layered RGB, Referenz",
+    "Layered RGB Standard":
+        "Layered RGB, Standard",
     "Least Thickness":
         "Kleinste Dicke",
     "Leave":
@@ -475,6 +479,8 @@ TEXTS = {
         "Messung",
     "Menus":
         "Menüs",
+    "Metals, plastics and stone, clean and fast, in Cycles and in EEVEE: the one to take first":
+        "Metalle, Kunststoffe und Stein, rauscharm und schnell, in Cycles und in EEVEE: die erste Wahl",
     "Model":
         "Modell",
     "Name a saved preset, and a new name with at least one letter":
@@ -680,10 +686,6 @@ TEXTS = {
         "Weichheit",
     "Specular":
         "Glanz",
-    "Stacks of films at the angle of each facet, sampled with nodes alone, on every device":
-        "Schichtstapel im Winkel jeder Facette, allein mit Nodes abgetastet, auf jedem Gerät",
-    "Stacks of films by native closures, a lobe for each channel: light-sampled, on every device":
-        "Schichtstapel mit eingebauten Shadern, eine Keule je Kanal: lichtabgetastet, auf jedem Gerät",
     "Standard":
         "Standard",
     "Standard as an OSL script: needs Open Shading Language switched on":
@@ -734,14 +736,6 @@ TEXTS = {
         "gerechnet; dünner machen, oder das Dicke als unterste Lage nehmen.",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
-    "The formula of Cook and Torrance 1982 itself as an OSL script":
-        "Die Formel von Cook und Torrance 1982 selbst als OSL-Skript",
-    "The formula of Cook and Torrance 1982 itself, sampled with nodes alone, on every device":
-        "Die Formel von Cook und Torrance 1982 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
-    "The formula of Granier and Heidrich 2003 itself as an OSL script":
-        "Die Formel von Granier und Heidrich 2003 selbst als OSL-Skript",
-    "The formula of Granier and Heidrich 2003 itself, sampled with nodes alone, on every device":
-        "Die Formel von Granier und Heidrich 2003 selbst, allein mit Nodes gesampelt, auf jedem Gerät",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
     "The library is in your preferences already":
@@ -768,10 +762,16 @@ TEXTS = {
     "The published formula itself, on every device: slower and noisier, to compare with; EEVEE shows Standard":
         "Die veröffentlichte Formel selbst, auf jedem Gerät: langsamer und mit mehr Rauschen, zum Vergleich; EEVEE "
         "zeigt Standard",
+    "The published formula of Cook and Torrance 1982 as an OSL script, to read beside the paper":
+        "Die veröffentlichte Formel von Cook und Torrance 1982 als OSL-Skript, neben dem Aufsatz zu lesen",
+    "The published formula of Cook and Torrance 1982 itself: slower and noisier, to compare with":
+        "Die veröffentlichte Formel von Cook und Torrance 1982 selbst: langsamer und mit mehr Rauschen, zum Vergleich",
+    "The published formula of Granier and Heidrich 2003 as an OSL script, to read beside the paper":
+        "Die veröffentlichte Formel von Granier und Heidrich 2003 als OSL-Skript, neben dem Aufsatz zu lesen",
+    "The published formula of Granier and Heidrich 2003 itself: slower and noisier, to compare with":
+        "Die veröffentlichte Formel von Granier und Heidrich 2003 selbst: langsamer und mit mehr Rauschen, zum Vergleich",
     "The rough finish of the paper's copper vase":
         "Die raue Oberfläche der Kupfervase aus der Veröffentlichung",
-    "The same with the colours of the rainbow, each refracted by its own index":
-        "Dasselbe mit den Farben des Regenbogens, jede mit eigener Brechzahl",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
     "The scene-linear space of this file has no three primaries; choose another OpenColorIO "

@@ -43,12 +43,13 @@ MODEL = Model(
     citation="M. Born, E. Wolf, Principles of Optics, 7th edition, 1999",
     parameters=Clear,
     groups=(
-        Group("clear_fast", "Clear Standard", 2, "fast.build",
+        Group("clear_fast", "Clear Standard", 4, "fast.build",
               "Glass, liquids and gems of one index of refraction, coloured by the way through them",
               stand_in="clear_eevee"),
-        Group("clear_dispersive", "Clear Dispersive", 2, "dispersive.build",
-              "The same with the colours of the rainbow, each refracted by its own index", stand_in="clear_eevee"),
-        Group("clear_eevee", "Clear EEVEE", 1, "fast.build_eevee", "What EEVEE shows of clear materials",
+        Group("clear_dispersive", "Clear Dispersive", 4, "dispersive.build",
+              "Glass and gems with the colours of the rainbow, each refracted by its own index",
+              stand_in="clear_eevee"),
+        Group("clear_eevee", "Clear EEVEE", 2, "fast.build_eevee", "What EEVEE shows of clear materials",
               in_menu=False),
     ),
     realisations={"fast": ("clear_fast",), "dispersive": ("clear_dispersive",)},
@@ -64,4 +65,5 @@ MODEL = Model(
     standin=_standin,
     measured=True,
     refracts=True,
+    sheet=lambda parameters: parameters.walls == "thin",
 )

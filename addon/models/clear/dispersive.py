@@ -5,7 +5,7 @@ number serves both faces without being handed on.  After an inner reflection the
 a wavelength of its band.  The mirror stays white.
 """
 
-from ...operands import dot, less, normalize, vector, where, widen
+from ...operands import dot, less, normalize, part, vector, where, widen
 from ...reflectance.transmission import cauchy
 from ..parameters import add_inputs
 from .bands import colour_of, wavelength_of, wavelength_of_channel
@@ -28,21 +28,26 @@ def build(builder):
     """Build the group."""
     sockets = add_inputs(builder, TABLE, "dispersive")
     at = given(builder, sockets)
-    direct = _came_straight(builder, at)
-    with builder.frame("λ of the place of entry"):
-        u = _number(builder, at, direct)
-        entered, entered_colour = wavelength_of(u), colour_of(u)
-    with builder.frame("λ after an inner reflection"):
-        later, later_colour = _drawn_anew(builder)
-    lost, again = at.back - direct, _hit_again(builder, at)
-    wavelength = where(lost, later, entered)
-    colour = where(at.back, where(direct, (1.0, 1.0, 1.0), later_colour),
-                   where(again, (1.0, 1.0, 1.0), entered_colour))
+    wavelength, colour = _wavelength(builder, at)
     n = relative_index(cauchy(wavelength, sockets.ior, sockets.dispersion * sockets.cauchy_b,
                               sockets.dispersion * sockets.cauchy_c), sockets.outside)
     body = _faces(builder, sockets, at, n, colour)
     solid = with_straight_shadows(builder, sockets, at, body)
     builder.output("BSDF", mixed(builder, sockets.thin, solid, sheet(builder, sockets, at)))
+
+
+@part("Wavelength", "λ", "colour")
+def _wavelength(builder, at):
+    """(λ in µm of the path, the colour that it takes on at this face)."""
+    direct = _came_straight(builder, at)
+    with builder.frame("λ of the place of entry"):
+        u = _number(builder, at, direct)
+        entered, entered_colour = wavelength_of(u), colour_of(u)
+    later, later_colour = _drawn_anew(builder)
+    lost, again = at.back - direct, _hit_again(builder, at)
+    colour = where(at.back, where(direct, (1.0, 1.0, 1.0), later_colour),
+                   where(again, (1.0, 1.0, 1.0), entered_colour))
+    return where(lost, later, entered), colour
 
 
 def _came_straight(builder, at):
@@ -56,6 +61,7 @@ def _hit_again(builder, at):
     return passed * less(at.length, AGAIN)
 
 
+@part("Number of the Place")
 def _number(builder, at, direct):
     """u in [0, 1): a steep function of the direction in which the camera has the place of entry."""
     towards = builder.node("ShaderNodeVectorTransform", {"Vector": builder.incoming()}, vector_type="VECTOR",
@@ -65,6 +71,7 @@ def _number(builder, at, direct):
     return builder.node("ShaderNodeMath", {"Value": turns}, operation="FRACT")
 
 
+@part("Wavelength Drawn Anew", "λ", "colour")
 def _drawn_anew(builder):
     """(λ, colour) of one channel drawn of three."""
     which, u = 3.0 * builder.random(CHANNEL), builder.random(IN_BAND)
@@ -74,6 +81,7 @@ def _drawn_anew(builder):
             vector(3.0 * red, 3.0 * (1.0 - red - blue), 3.0 * blue))
 
 
+@part("Dispersive Face")
 def _faces(builder, sockets, at, n, colour):
     """Refraction in the wavelength's colour and a white mirror, shared by the Fresnel reflectance."""
     left, surface = absorbed(at), {"Roughness": sockets.roughness, "Normal": at.normal}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...operands import absolute, dot, log, maximum, normalize, term, where, widen
+from ...operands import absolute, dot, log, maximum, normalize, part, term, where, widen
 from ...reflectance.fresnel import dielectric
 from ...reflectance.masking import smith_beckmann
 from ...reflectance.slopes import beckmann
@@ -13,7 +13,7 @@ DARKEST = 1e-6
 SMOOTHEST = 1e-4
 
 
-@term("σ")
+@part("Absorption σ")
 def sigma_of(absorption, depth_colour, depth, concentration, scene_scale):
     """Absorption a scene unit: concentration · (σ − ln(colour)/depth) · scale.
 
@@ -38,7 +38,7 @@ def relative_index(n, outside):
     return n / outside
 
 
-@term("F of both sides")
+@part("F of both sides")
 def reflectance(cos_theta, n, back):
     """Fresnel reflectance of a face of relative index n, seen from outside or, back = 1.0, from within.
 

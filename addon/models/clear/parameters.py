@@ -21,8 +21,10 @@ TABLE = (
            tip="How many metres of the material a scene unit is, for absorption: 1 for models in metres; "
                "the default takes a default cube for a piece of one centimetre"),
     Number(name="ior", symbol="n_d", socket="IOR", default=1.5, low=1.0, high=10.0, slider=(1.0, 4.0),
+           never_zero=True,
            tip="Index of refraction in yellow light, 587.56 nm"),
     Number(name="outside", socket="Outside IOR", default=1.0, low=1.0, high=10.0, slider=(1.0, 4.0),
+           never_zero=True,
            tip="Index of what the face is against: 1 for air, 1.333 where it touches water"),
     Number(name="dispersion", socket="Dispersion", default=1.0, low=0.0, high=10.0, slider=(0.0, 5.0),
            realisations=("dispersive",), tip="Strength of the rainbow: 0 none, 1 as measured"),

@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from ...operands import absolute, dot, maximum, widen
+from ...operands import absolute, dot, less, maximum, minimum, part, where, widen
 from ...reflectance.transmission import cos_inside, slab_reflectance, slab_transmittance, straight_path, transmittance
 from .formulas import reflectance, relative_index, sigma_of
 
@@ -27,6 +27,7 @@ def absorbed(at):
     return transmittance(at.sigma, widen(at.back * at.length))
 
 
+@part("Thin Wall")
 def sheet(builder, sockets, at):
     """The closure of a thin wall: both faces and the passages between them as one."""
     thickness = sockets.thickness / sockets.scene_scale
@@ -41,21 +42,37 @@ def sheet(builder, sockets, at):
         return builder.add_shaders(through, mirror)
 
 
+@part("See-through Shadows")
 def with_straight_shadows(builder, sockets, at, closure):
     """The closure, but for shadow and diffuse rays: what passes goes straight on, dimmed by surface and body.
 
     What the surface reflects of diffuse rays stays: under a ball much of the sky arrives so.
     """
+    straight = straight_path(at.sigma, widen(_along(builder, at)), widen(at.back))
     with builder.frame("See-through shadows"):
         shadow = builder.node("ShaderNodeLightPath", output="Is Shadow Ray")
         diffuse = builder.node("ShaderNodeLightPath", output="Is Diffuse Ray")
         r = widen(reflectance(at.cos_theta, maximum(at.n, 1.0 / at.n), 0.0))
-        through = straight_path(at.sigma, widen(at.length), widen(at.back)) * (1.0 - r) * sockets.tint
-        straight = builder.node("ShaderNodeBsdfTransparent", {"Color": through})
+        through = builder.node("ShaderNodeBsdfTransparent", {"Color": straight * (1.0 - r) * sockets.tint})
         mirror = builder.node("ShaderNodeBsdfAnisotropic", {
-            "Color": r * absorbed(at), "Roughness": sockets.roughness, "Normal": at.normal}, distribution="BECKMANN")
+            "Color": r * where(at.back, straight, (1.0, 1.0, 1.0)), "Roughness": sockets.roughness,
+            "Normal": at.normal}, distribution="BECKMANN")
         return mixed(builder, sockets.see_through * maximum(shadow, diffuse), closure,
-                     builder.add_shaders(straight, mirror))
+                     builder.add_shaders(through, mirror))
+
+
+def _along(builder, at):
+    """How far along a straight ray the face is, from where both faces of the body count.
+
+    That is the ray's start where it started inside: then its first face is a back face.  Else it is the point beside
+    the object's origin, or the start where that lies behind: a face between body and floor, or before what is embedded,
+    is missed by the light that ends there, which so has half a body's absorption, and never the inverse of it.
+    """
+    with builder.frame("Place on a straight ray"):
+        beyond = dot(builder.node("ShaderNodeNewGeometry", output="Position")
+                     - builder.node("ShaderNodeObjectInfo", output="Location"), -1.0 * builder.incoming())
+        passed = builder.node("ShaderNodeLightPath", output="Transparent Depth")
+        return where(at.back * less(passed, 0.5), at.length, minimum(beyond, at.length))
 
 
 def mixed(builder, share, closure, other):

@@ -9,7 +9,9 @@ Products start with what is constant as a rule, so that Cycles folds away what
 a material does not use.
 """
 
-from ...operands import dot, less, rotate, sqrt, where, widen
+from types import SimpleNamespace
+
+from ...operands import dot, less, part, rotate, sqrt, where, widen
 from ...reflectance.directions import PI, facing
 from ...reflectance.fresnel import f82_factor, tinted
 from ...reflectance.sampling import chosen, narrow_slope, wide_slope
@@ -29,6 +31,7 @@ from .sampler import (
     scales,
     stretched,
 )
+from .scale import in_scale
 
 __all__ = ["build"]
 
@@ -39,87 +42,92 @@ FACET, SLOPE, DISTRIBUTION, ROULETTE = range(1, 5)
 def build(builder):
     """Build the group."""
     sockets = add_inputs(builder, TABLE, "exact")
-    surface = _Surface(builder, sockets)
+    view = builder.incoming()
+    normal = facing(builder.normal(sockets.normal), view)
+    n, k = tinted(sockets.n, sockets.k, sockets.tint)
+    with builder.frame("Frame"):
+        tangent = rotate(builder.tangent(sockets.tangent), normal, (2.0 * PI) * sockets.rotation)
+        surface = SimpleNamespace(normal=normal, tangent=tangent, view=view, n_v=dot(normal, view),
+                                  anisotropy=sockets.anisotropy)
+    with builder.frame("Width > 0"):
+        has_native = less(0.0, sockets.width) * (1.0 - less(0.0, sockets.anisotropy))
+    f0, tint = native_fresnel(n, k)
+    index = SimpleNamespace(n=n, k=k, f0=f0, tint=tint)
+    scale = SimpleNamespace(gaussian=sockets.gaussian, published=sockets.published, gaussian_c=sockets.gaussian_c)
+    slopes = [SimpleNamespace(m=m, w=w) for m, w in slope_operands(sockets)]
     with builder.frame("R = s Rs + d Rd"):
-        specular = builder.add_shaders(surface.drawn_lobe(), surface.native_lobes())
-        diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.tint * sockets.diffuse,
-                                                         "Normal": surface.normal})
+        specular = builder.add_shaders(
+            _drawn_lobe(builder, slopes, sockets.specular, sockets.width, has_native, scale, surface, index),
+            _native_lobes(builder, slopes, sockets.specular, has_native, scale, surface, index))
+        diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.tint * sockets.diffuse, "Normal": normal})
         total = builder.add_shaders(specular, builder.scale_shader(1.0 - sockets.specular, diffuse))
     builder.output("BSDF", total)
 
 
-class _Surface:
-    """What the lobes of one material share."""
+@part("Drawn Lobe")
+def _drawn_lobe(builder, slopes, specular, width, has_native, scale, surface, index):
+    """The Glossy BSDF about a drawn facet, with what the native lobes leave of f."""
+    slope = _chosen_slope(builder, slopes, surface.n_v, width, surface.anisotropy)
+    with builder.frame("Draw"):
+        gaussian = less(0.0, scale.gaussian) * less(builder.random(DISTRIBUTION), scale.gaussian)
+        tilt, azimuth, side = builder.three_randoms(FACET)
+    with builder.frame("Roulette"):
+        probability = where(has_native, kept(slope.share), 1.0)
+        shown = less(builder.random(ROULETTE), probability)
+    ellipse = stretched(surface.normal, surface.tangent, slope.m, surface.anisotropy)
+    x = facet(surface.normal, surface.view, slope.m, slope.narrow, slope.wide, FLANKS * has_native, gaussian,
+              tilt, azimuth, side, ellipse)
+    whole, native_scale = scales(slope.m, gaussian, scale.published, scale.gaussian_c, ellipse)
+    with builder.frame("Native"):
+        native = (has_native * (native_scale * HEADROOM) * slope.share) * native_over_d(x, slope.m, slope.lean)
+    colour = facet_weight(x, whole, native, index.n, index.k, index.f0, f82_factor(index.f0, index.tint),
+                          specular * slope.weight, probability)
+    return builder.scale_shader(shown, _glossy(builder, colour, x.h, x.lobe_tangent, x.narrow, x.broad))
 
-    def __init__(self, builder, sockets):
-        self.builder, self.sockets = builder, sockets
-        self.slopes = slope_operands(sockets)
-        self.view = builder.incoming()
-        self.normal = facing(builder.normal(sockets.normal), self.view)
-        self.n_v = dot(self.normal, self.view)
-        self.n, self.k = tinted(sockets.n, sockets.k, sockets.tint)
-        self.fresnel_82 = native_fresnel(self.n, self.k)
-        with builder.frame("Frame"):
-            self.tangent = rotate(builder.tangent(sockets.tangent), self.normal, (2.0 * PI) * sockets.rotation)
-        with builder.frame("Width > 0"):
-            self.has_width = less(0.0, sockets.width)
-            self.has_native = self.has_width * (1.0 - less(0.0, sockets.anisotropy))
 
-    def drawn_lobe(self):
-        """The Glossy BSDF about a drawn facet, with what the native lobes leave of f."""
-        builder, sockets = self.builder, self.sockets
-        slopes, weights = zip(*self.slopes)
-        shares, leans = zip(*[native_lobe(self.n_v, m) for m in slopes])
-        with builder.frame("Width > 0"):
-            narrow, wide = zip(*[self._lobe_slopes(m) for m in slopes])
-        with builder.frame("Draw"):
-            m, share, lean, a, wide = chosen(builder.random(SLOPE), weights, slopes, shares, leans, narrow, wide)
-            gaussian = less(0.0, sockets.gaussian) * less(builder.random(DISTRIBUTION), sockets.gaussian)
-            tilt, azimuth, side = builder.three_randoms(FACET)
-        with builder.frame("Roulette"):
-            probability = where(self.has_native, kept(share), 1.0)
-            shown = less(builder.random(ROULETTE), probability)
-        ellipse = stretched(self.normal, self.tangent, m, sockets.anisotropy)
-        x = facet(self.normal, self.view, m, a, wide, FLANKS * self.has_native, gaussian, tilt, azimuth, side, ellipse)
-        with builder.frame("Draw"):
-            weight = sockets.specular * sum(weights[1:], weights[0])
-        scale, native_scale = scales(m, gaussian, sockets.published, sockets.gaussian_c, ellipse)
-        native = (self.has_native * (native_scale * HEADROOM) * share) * native_over_d(x, m, lean)
-        f0, tint = self.fresnel_82
-        colour = facet_weight(x, scale, native, self.n, self.k, f0, f82_factor(f0, tint), weight, probability)
-        with builder.frame("Draw"):
-            squeezed = sqrt(x.narrow / x.broad)
-            glossy = builder.node("ShaderNodeBsdfAnisotropic", {
-                "Color": colour, "Normal": x.h, "Tangent": x.lobe_tangent,
-                "Roughness": sqrt(x.narrow / squeezed), "Anisotropy": 1.0 - squeezed,
-            }, distribution="BECKMANN")
-            return builder.scale_shader(shown, glossy)
+@part("Native Lobes")
+def _native_lobes(builder, slopes, specular, has_native, scale, surface, index):
+    """The Metallic BSDFs under f, one for each slope; nothing at Sampling Width 0, nor under an anisotropic f."""
+    once = builder.add_shaders(*[
+        _native_lobe(builder, slope.m, slope.w, specular, has_native, scale, surface, index) for slope in slopes])
+    return in_scale(builder, once, scale.published)
 
-    def _lobe_slopes(self, m):
-        """Slopes of the lobes about drawn facets, before they are stretched: never wider than on a round surface."""
-        longest, _ = along_across(m, self.sockets.anisotropy)
-        shorter, width = m / longest, self.sockets.width
-        return narrow_slope(longest, width) * shorter, wide_slope(longest, width) * shorter
 
-    def native_lobes(self):
-        """The Metallic BSDFs under f, one for each slope; nothing at Sampling Width 0, nor under an anisotropic f.
+@part("Drawn Slope")
+def _chosen_slope(builder, slopes, n_v, width, anisotropy):
+    """One of the slopes drawn by weight, with what its lobes need, by name; and the weight of all."""
+    slopes, weights = zip(*[(slope.m, slope.w) for slope in slopes])
+    shares, leans = zip(*[native_lobe(n_v, m) for m in slopes])
+    narrow, wide = zip(*[_lobe_slopes(m, width, anisotropy) for m in slopes])
+    m, share, lean, narrow, wide = chosen(builder.random(SLOPE), weights, slopes, shares, leans, narrow, wide)
+    return SimpleNamespace(m=m, share=share, lean=lean, narrow=narrow, wide=wide, weight=sum(weights[1:], weights[0]))
 
-        A closure's weight is held to 1, so the published scale adds up four equal ones.
-        """
-        builder, published = self.builder, self.sockets.published
-        once = builder.add_shaders(*[self._native_lobe(m, w) for m, w in self.slopes])
-        twice = builder.add_shaders(once, once)
-        return builder.node("ShaderNodeMixShader", {
-            "Fac": published, "Shader": once, "Shader_001": builder.add_shaders(twice, twice)})
 
-    def _native_lobe(self, m, w):
-        sockets = self.sockets
-        share, lean = native_lobe(self.n_v, m)
-        f0, tint = self.fresnel_82
-        metallic = self.builder.node("ShaderNodeBsdfMetallic", {
-            "Base Color": f0, "Edge Tint": tint, "Roughness": sqrt(native_slope(m)),
-            "Normal": self.normal + widen(lean) * self.view,
-        }, distribution="BECKMANN", fresnel_type="F82")
-        _, native_scale = scales(m, sockets.gaussian, sockets.published, sockets.gaussian_c)
-        part = HEADROOM * native_scale / (1.0 + 3.0 * sockets.published)
-        return self.builder.scale_shader((w * sockets.specular * self.has_native * part) * share, metallic)
+@part("Slopes of the Drawn Lobe", "narrow", "wide")
+def _lobe_slopes(m, width, anisotropy):
+    """Slopes of the lobes about drawn facets, before they are stretched: never wider than on a round surface."""
+    longest, _ = along_across(m, anisotropy)
+    shorter = m / longest
+    return narrow_slope(longest, width) * shorter, wide_slope(longest, width) * shorter
+
+
+@part("Lobe about the Facet")
+def _glossy(builder, colour, h, tangent, narrow, broad):
+    """A Glossy BSDF about H with the slope `narrow` along the tangent, and `broad` across it."""
+    squeezed = sqrt(narrow / broad)
+    return builder.node("ShaderNodeBsdfAnisotropic", {
+        "Color": colour, "Normal": h, "Tangent": tangent, "Roughness": sqrt(narrow / squeezed),
+        "Anisotropy": 1.0 - squeezed}, distribution="BECKMANN")
+
+
+@part("Native Beckmann Lobe")
+def _native_lobe(builder, m, w, specular, has_native, scale, surface, index):
+    """The Metallic BSDF under f for one slope."""
+    share, lean = native_lobe(surface.n_v, m)
+    metallic = builder.node("ShaderNodeBsdfMetallic", {
+        "Base Color": index.f0, "Edge Tint": index.tint, "Roughness": sqrt(native_slope(m)),
+        "Normal": surface.normal + widen(lean) * surface.view,
+    }, distribution="BECKMANN", fresnel_type="F82")
+    _, native_scale = scales(m, scale.gaussian, scale.published, scale.gaussian_c)
+    quarter = HEADROOM * native_scale / (1.0 + 3.0 * scale.published)
+    return builder.scale_shader((w * specular * has_native * quarter) * share, metallic)

@@ -11,15 +11,19 @@ the group F82 has the same sockets; F0 and F82 tint are worked out from n and k,
 and the Metallic BSDF interpolates between them.
 """
 
-from ...operands import clip, less, sqrt, where
+from ...operands import clip, less, part, sqrt, where
 from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, tinted
 from ...reflectance.slopes import along_across, elliptic_gaussian_c
 from ..parameters import add_inputs
 from .gaussian_lobes import gaussian_lobes
 from .parameters import TABLE, slope_operands
-from .v_cavity_lobe import SeenFrom, v_cavity_lobe
+from .scale import in_scale
+from .v_cavity_lobe import seen_from, slope_towards_viewer, v_cavity_lobe
 
 __all__ = ["build", "build_f82"]
+
+OF_KIND = {"PHYSICAL_CONDUCTOR": "", "F82": " by F82"}
+"""What the names of parts end in for a kind of Fresnel."""
 
 
 def build(builder):
@@ -29,12 +33,14 @@ def build(builder):
 
 def build_f82(builder):
     """Build the group for dielectrics in Blender 4.5."""
-    def fresnel_of(n, k):
-        with builder.frame("F0 and F82 tint of n and k"):
-            f0 = conductor(1.0, n, k)
-            tint = f82_tint_of(f0, conductor(COS_THETA_82, n, k))
-            return {"Base Color": clip(f0, 0.0, 1.0), "Edge Tint": clip(tint, 0.0, 1.0)}, "F82"
-    _build(builder, fresnel_of)
+    _build(builder, lambda n, k: (dict(zip(("Base Color", "Edge Tint"), _f0_and_tint(n, k))), "F82"))
+
+
+@part("F0 and F82 Tint", "F0", "Tint")
+def _f0_and_tint(n, k):
+    """F0 and tint of the F82 model, each within [0, 1], ``(..., 3)``."""
+    f0 = conductor(1.0, n, k)
+    return clip(f0, 0.0, 1.0), clip(f82_tint_of(f0, conductor(COS_THETA_82, n, k)), 0.0, 1.0)
 
 
 def _build(builder, fresnel_of):
@@ -45,44 +51,41 @@ def _build(builder, fresnel_of):
     with builder.frame("Frame"):
         # The nodes of a tangent that nothing turns on fold away.
         tangent = where(less(0.0, sockets.anisotropy), builder.tangent(sockets.tangent), (1.0, 0.0, 0.0))
-    shared = {**fresnel, "Normal": normal, "Tangent": tangent, "Anisotropy": sockets.anisotropy,
-              "Rotation": sockets.rotation}
-    view = SeenFrom(normal, builder.incoming(), tangent, sockets.rotation, sockets.anisotropy)
-    lobes = []
-    for j, (m, w) in enumerate(slope_operands(sockets), 1):
-        with builder.frame(f"Slope {j}"):
-            lobes += _slope(builder, sockets, m, sockets.specular * w, view, shared, fresnel_type)
+    seen = seen_from(normal, builder.incoming(), tangent, sockets.rotation)
+    surface = {**fresnel, "Normal": normal, "Tangent": tangent, "Anisotropy": sockets.anisotropy,
+               "Rotation": sockets.rotation}
+    slope = part(f"Slope{OF_KIND[fresnel_type]}")(_slope)
+    lobes = [slope(builder, m, sockets.specular, w, sockets.gaussian, sockets.published, sockets.gaussian_c, seen,
+                   surface, fresnel_type) for m, w in slope_operands(sockets)]
+    # A printed c of the Gaussian above the one that normalises is held to it, as a closure's weight is to 1.
     with builder.frame("R = s Rs + d Rd"):
-        specular = _scaled(builder, builder.add_shaders(*lobes), sockets)
+        specular = in_scale(builder, builder.add_shaders(*lobes), sockets.published)
         diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": sockets.tint * sockets.diffuse, "Normal": normal})
         total = builder.add_shaders(specular, builder.scale_shader(1.0 - sockets.specular, diffuse))
     builder.output("BSDF", total)
 
 
-def _slope(builder, sockets, m, share, view, shared, fresnel_type):
-    """The lobes of one rms slope: one for Beckmann's D, three for the Gaussian."""
-    widening, weight = v_cavity_lobe(view.sine, view.slope(m))
-    lobes = [(share * (1.0 - sockets.gaussian), m)]
-    c = elliptic_gaussian_c(*along_across(m, sockets.anisotropy))
-    printed = sockets.gaussian_c / c  # in the published scale the printed c takes that one's place
-    gaussian = share * (sockets.gaussian * (1.0 + sockets.published * (printed - 1.0)))
-    lobes += [(gaussian * part, slope) for part, slope in gaussian_lobes(m)]
-    return [_beckmann(builder, part * weight, sqrt(slope) * widening, shared, fresnel_type) for part, slope in lobes]
+def _slope(builder, m, specular, w, gaussian, published, gaussian_c, seen, surface, fresnel_type):
+    """The lobes of one rms slope m of weight w: one for Beckmann's D, three for the Gaussian.
+
+    seen     of :func:`addon.models.cook_torrance.v_cavity_lobe.seen_from`
+    surface  {socket: operand} of the Metallic BSDFs
+    """
+    anisotropy = surface["Anisotropy"]
+    widening, weight = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy))
+    with builder.frame("Share"):
+        share = specular * w * weight
+        printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
+        # In the published scale the printed c takes the place of the one that normalises.
+        share_gaussian = share * (gaussian * (1.0 + published * (printed - 1.0)))
+        lobes = [(share * (1.0 - gaussian), m)]
+    lobes += [(share_gaussian * w, slope) for w, slope in gaussian_lobes(m)]
+    lobe = part(f"Beckmann Lobe{OF_KIND[fresnel_type]}")(_beckmann)
+    return builder.add_shaders(*[lobe(builder, w, slope, widening, surface, fresnel_type) for w, slope in lobes])
 
 
-def _beckmann(builder, share, roughness, shared, fresnel_type):
-    """share * F D G / (4 (N.L)(N.V)), Beckmann D of this roughness, Smith G."""
-    metallic = builder.node("ShaderNodeBsdfMetallic", {**shared, "Roughness": roughness},
+def _beckmann(builder, share, m, widening, surface, fresnel_type):
+    """share * F D G / (4 (N.L)(N.V)), Beckmann D of the slope m times widening², Smith G."""
+    metallic = builder.node("ShaderNodeBsdfMetallic", {**surface, "Roughness": sqrt(m) * widening},
                             distribution="BECKMANN", fresnel_type=fresnel_type)
     return builder.scale_shader_twofold(share, metallic)
-
-
-def _scaled(builder, specular, sockets):
-    """The specular part, four times as bright in the published scale.
-
-    A closure's weight is held to 1, so four equal closures are added up; a printed
-    c of the Gaussian above the one that normalises is held to it.
-    """
-    twice = builder.add_shaders(specular, specular)
-    return builder.node("ShaderNodeMixShader", {
-        "Fac": sockets.published, "Shader": specular, "Shader_001": builder.add_shaders(twice, twice)})

@@ -1,6 +1,6 @@
 """The Gaussian slope distribution as a sum of three Beckmann lobes, for renderers that only have these."""
 
-from ...operands import maximum, minimum
+from ...operands import maximum, minimum, part
 
 __all__ = ["gaussian_lobes"]
 
@@ -8,6 +8,7 @@ ROUGHEST_FITTED = 0.65
 """Above this slope the lobes keep their shares and relative widths."""
 
 
+@part("Gaussian as Three Lobes", "share 1", "m1", "share 2", "m2", "share 3", "m3")
 def gaussian_lobes(m):
     """Three (share, slope) pairs whose Beckmann lobes add up to the Gaussian of rms slope m.
 

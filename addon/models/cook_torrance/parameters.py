@@ -1,7 +1,7 @@
 """The table of Cook and Torrance's parameters, by the paper's symbols."""
 
 from ...errors import FacetFilmError, number
-from ...operands import clip, maximum
+from ...operands import clip, maximum, part
 from ..parameters import Choice, Colour, Direction, Number, Parameter, Socket, Triple, checked_class
 
 __all__ = ["CookTorrance", "MOST_SLOPES", "SMALLEST_SLOPE", "TABLE", "slope_operands", "slopes_of"]
@@ -214,6 +214,12 @@ def _in_proportion(slopes, roughness):
 
 def slope_operands(sockets):
     """The (m, w) pairs among the operands that :func:`addon.models.parameters.add_inputs` made."""
-    first = maximum(sockets.roughness * sockets.roughness, SMALLEST_SLOPE)
-    further = [clip(first * getattr(sockets, f"ratio{j}"), SMALLEST_SLOPE, 1.0) for j in range(2, MOST_SLOPES + 1)]
-    return [(m, getattr(sockets, f"w{j}")) for j, m in enumerate((first, *further), 1)]
+    ratios = [getattr(sockets, f"ratio{j}") for j in range(2, MOST_SLOPES + 1)]
+    return [(m, getattr(sockets, f"w{j}")) for j, m in enumerate(_slopes(sockets.roughness, *ratios), 1)]
+
+
+@part("Slopes m", "m1", "m2", "m3", "m4")
+def _slopes(roughness, ratio2, ratio3, ratio4):
+    """The rms slopes of a roughness and of ratios to the first."""
+    first = maximum(roughness * roughness, SMALLEST_SLOPE)
+    return first, *(clip(first * ratio, SMALLEST_SLOPE, 1.0) for ratio in (ratio2, ratio3, ratio4))

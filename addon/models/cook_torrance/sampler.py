@@ -33,10 +33,10 @@ from ...operands import (
     maximum,
     minimum,
     normalize,
+    part,
     rotate,
     sin,
     sqrt,
-    term,
     where,
     widen,
 )
@@ -64,7 +64,7 @@ FLANKS = 1.0
 """How far facets for the light above the native lobe are drawn from its flanks, where most of it is."""
 
 
-@term("Native lobe")
+@part("Native Slope")
 def native_slope(m):
     """Slope of the native Beckmann lobe under a formula of rms slope m: m (1 − 0.72 m²/(1 + 1.9 m²)).
 
@@ -77,7 +77,7 @@ def native_slope(m):
     return m * (1.0 - 0.72 * m2 / (1.0 + 1.9 * m2))
 
 
-@term("Native lobe")
+@part("Native Lobe", "share", "lean")
 def native_lobe(n_v, m):
     """Share w and lean of the native Beckmann lobe that carries as much light as it can without passing f.
 
@@ -101,19 +101,30 @@ def native_lobe(n_v, m):
     [0.895, 0.0157]
     """
     x = n_v / (m * sqrt(1.0 - n_v * n_v) + m)
+    return _native_share(x, m), _native_lean(x, m)
+
+
+@part("Native Share")
+def _native_share(x, m):
+    """w of :func:`native_lobe`."""
     narrower = native_slope(m) / m
     grazing = 1.12 * x + minimum(0.52, 0.65 - 0.073 / m)
     over = maximum(m - 0.35, 0.0)
     peak = (1.012 + minimum(0.12 * over, 0.03)) * (narrower * narrower)
     middle = maximum((-0.5 * over) * x + minimum(0.895, 0.85 + 0.22 * m), 0.19 * x + (0.47 - 0.3 * over))
-    share = maximum(minimum(grazing, peak, middle), 0.0)
+    return maximum(minimum(grazing, peak, middle), 0.0)
+
+
+@part("Native Lean")
+def _native_lean(x, m):
+    """The lean of :func:`native_lobe`."""
     far, near = m * (0.084 + 0.21 * (m * m)), m * (0.028 + 0.22 * m)
     lean_far = far * x + (-far) * (0.19 + 0.058 / m)
     lean_near = (-near) * x + 3.1 * near
-    return share, clip(minimum(lean_far, lean_near), 0.0, m * (0.21 - 0.19 * m))
+    return clip(minimum(lean_far, lean_near), 0.0, m * (0.21 - 0.19 * m))
 
 
-@term("Roulette")
+@part("Roulette")
 def kept(share):
     """Probability of drawing a facet at all: less where the native lobe leaves next to nothing.
 
@@ -130,7 +141,7 @@ def kept(share):
     return minimum(-4.0 * share + 4.6, 1.0)
 
 
-@term("F0, F82")
+@part("Native Fresnel", "F0", "Tint")
 def native_fresnel(n, k):
     """F0 and tint of the F82 model for the native lobe, each within [0, 1], ``(..., 3)``.
 
@@ -144,7 +155,6 @@ def native_fresnel(n, k):
     return f0, clip(f82_tint_of(maximum(f0, SMALLEST), conductor(COS_THETA_82, n, k)), 0.0, 1.0)
 
 
-@term("Scale")
 def scales(m, gaussian, published, printed_c, ellipse=None):
     """Factors on the energy-conserving lobe of slope m: of f, and of the native lobe, at most four.
 
@@ -159,11 +169,18 @@ def scales(m, gaussian, published, printed_c, ellipse=None):
     >>> scales(0.2, 0.0, 0.0, 1.0), scales(0.2, 0.0, 1.0, 1.0)
     ((1.0, 1.0), (4.0, 4.0))
     """
+    named = part("Scale" if ellipse else "Round Scale", "scale", "native scale")
+    return named(_scales)(m, gaussian, published, printed_c, ellipse)
+
+
+def _scales(m, gaussian, published, printed_c, ellipse):
+    """As :func:`scales` has it."""
     printed = 4.0 * (1.0 + gaussian * (printed_c / _c(m, ellipse) - 1.0))
     scale = 1.0 + published * (printed - 1.0)
     return scale, minimum(scale, 1.0 + 3.0 * published) * (1.0 - 0.03 * gaussian)
 
 
+@part("Ellipse")
 def stretched(n, tangent, m, anisotropy):
     """How the facets' slopes are stretched: what :func:`facet` takes as its ellipse.
 
@@ -183,7 +200,6 @@ def stretched(n, tangent, m, anisotropy):
     return SimpleNamespace(is_elliptic=less(0.0, anisotropy), t=t, along=along / m, across=across / m)
 
 
-@term("H")
 def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse=None):
     """A facet of rms slope m drawn as the viewer sees it, for a lobe about it.
 
@@ -198,20 +214,43 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse
     Returns by name: h, the facet's normal ``(..., 3)``; across, the unit
     direction at right angles to n in which it is tilted, ``(..., 3)``; the lobe in its
     own frame, by lobe_tangent ``(..., 3)`` and its slopes narrow along that and broad
-    across it; a_across and a_along, its slopes across and along the ring about n, and
-    covariance, of both; stretch, see
+    across it; a_across and a_along, its slopes across and along the ring about n; with an
+    ellipse also covariance, of both, and v_along; stretch, see
     :func:`addon.reflectance.sampling.narrowed`.  And at the mean of what the
     lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; the tilt's
-    tangent; v_across; v_along; level, V·H over N·H; D as exp(−steepness/m²)/(m·flat)²; and
+    tangent; v_across; level, V·H over N·H; D as exp(−steepness/m²)/(m·flat)²; and
     density, D over the drawn density's part that depends on the distribution and
     the side.
 
     >>> from addon.reflectance.directions import direction
     >>> up = direction(0.0, 0.0)
     >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
-    >>> round(float(x.n_h), 4), round(float(x.v_h), 4), float(x.density)     # tan α = m
+    >>> round(float(x.n_h), 4), round(float(x.v_h), 4), round(float(x.density), 6)     # tan α = m
     (0.8944, 0.8944, 1.0)
     """
+    named = part("Drawn Facet" if ellipse else "Drawn Round Facet")
+    return named(_facet)(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse)
+
+
+def _facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse):
+    """As :func:`facet` has it."""
+    if ellipse is None:
+        across, out = rotate(tangent_of(n), n, (2.0 * PI) * u_azimuth), 1.0
+    else:
+        across, out = _stretched_direction(n, u_azimuth, ellipse)
+    tilt = _tilt(m, a, wide, flanks, u_tilt)
+    drawn = _of_distribution(gaussian, tilt.drawn, tilt.weighed2, out, _c_m2(m, ellipse))
+    groove = _side_of_groove(n, v, across, drawn.tangent_drawn, u_side)
+    x = _weighed(n, across, a, tilt, drawn, groove)
+    if ellipse is None:
+        return SimpleNamespace(**vars(x), lobe_tangent=across, narrow=x.a_across, broad=x.a_along)
+    lobe = _stretched_lobe(across, x.a_across, x.a_along, n, out, drawn.cos_drawn, drawn.to_angle, ellipse)
+    return SimpleNamespace(**{**vars(x), **vars(lobe)}, v_along=groove.side * dot(cross(n, across), v))
+
+
+@part("Tilt")
+def _tilt(m, a, wide, flanks, u_tilt):
+    """How far a facet is tilted: as it is drawn, and as it is weighed, by name; see :func:`facet`."""
     m2 = m * m
     m2_drawn, stretch = narrowed(m, a)
     kept_u, rarity = towards_flanks(u_tilt, flanks)
@@ -220,36 +259,45 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse
     along = maximum(a, minimum((2.5 * wide / m) * drawn, wide))
     # Along a tangent the tilt only grows, its square by half the lobe's; and D with it, but for a factor.
     grown = along * along + (-(a * a))
-    weighed2 = (stretch * stretch) * drawn2 + 0.5 * grown
-    thinner = sqrt((-1.0 / m2) * grown + 1.0)
-    stretched_across, out = (None, 1.0) if ellipse is None else _stretched_direction(n, u_azimuth, ellipse)
-    real2 = out * out
-    tangent_drawn, cos_drawn, tangent, n_h, flat, density, to_angle = (
-        where(gaussian, g, b) for g, b in zip(_gaussian(out * drawn, real2 * weighed2, m, ellipse),
-                                              _beckmann(real2 * drawn2, out * drawn, real2 * weighed2)))
+    return SimpleNamespace(drawn=drawn, weighed2=(stretch * stretch) * drawn2 + 0.5 * grown, stretch=stretch,
+                           along=along, density=sqrt((-1.0 / m2) * grown + 1.0) * rarity)
 
-    across = rotate(tangent_of(n), n, (2.0 * PI) * u_azimuth) if ellipse is None else stretched_across
+
+@part("Tilt of D")
+def _of_distribution(gaussian, drawn, weighed2, out, c_m2):
+    """The same of the distribution, stretched `out` times, by name."""
+    drawn, weighed2 = out * drawn, (out * out) * weighed2
+    found = [where(gaussian, g, b)
+             for g, b in zip(_gaussian(drawn, weighed2, c_m2), _beckmann(drawn * drawn, drawn, weighed2))]
+    names = ("tangent_drawn", "cos_drawn", "tangent", "n_h", "flat", "density", "to_angle")
+    return SimpleNamespace(**dict(zip(names, found)), weighed2=weighed2)
+
+
+@part("Side of the Groove")
+def _side_of_groove(n, v, across, tangent_drawn, u_side):
+    """Which side of the groove is drawn, 1 or −1, and how far it is seen, by name."""
     n_v, across_v = dot(n, v), dot(across, v)
     # V·H/cos α is n_v + aside on the one side of the groove, and n_v - aside on the other; one of them may be hidden.
     aside = tangent_drawn * across_v
     twice = 2.0 * n_v
     side = 1.0 - 2.0 * less(n_v + aside, twice * u_side)
-    seen = minimum(twice / (side * aside + n_v), 1.0)
-
-    v_across = side * across_v
-    level = maximum(tangent * v_across + n_v, SMALLEST_LEVEL)
-    x = SimpleNamespace(
-        h=normalize(n + widen(side * tangent_drawn) * across), across=across,
-        a_across=a * (to_angle * to_angle), a_along=along * to_angle, stretch=stretch,
-        n_h=n_h, n_v=n_v, n_l=(2.0 * level) * (n_h * n_h) - n_v, v_h=n_h * level, tangent=tangent, v_across=v_across,
-        level=level, steepness=weighed2, flat=flat, density=density * thinner * rarity / seen)
-    x.lobe_tangent, x.narrow, x.broad, x.covariance, x.v_along = across, x.a_across, x.a_along, 0.0, 0.0
-    if ellipse is not None:
-        x.v_along = side * dot(cross(n, across), v)
-        _stretch_lobe(x, n, out, cos_drawn, to_angle, ellipse)
-    return x
+    return SimpleNamespace(n_v=n_v, side=side, v_across=side * across_v,
+                           seen=minimum(twice / (side * aside + n_v), 1.0))
 
 
+@part("Facet")
+def _weighed(n, across, a, tilt, drawn, groove):
+    """What :func:`facet` gives of a facet before its lobe is stretched."""
+    level = maximum(drawn.tangent * groove.v_across + groove.n_v, SMALLEST_LEVEL)
+    return SimpleNamespace(
+        h=normalize(n + widen(groove.side * drawn.tangent_drawn) * across), across=across,
+        a_across=a * (drawn.to_angle * drawn.to_angle), a_along=tilt.along * drawn.to_angle, stretch=tilt.stretch,
+        n_h=drawn.n_h, n_v=groove.n_v, n_l=(2.0 * level) * (drawn.n_h * drawn.n_h) - groove.n_v,
+        v_h=drawn.n_h * level, tangent=drawn.tangent, v_across=groove.v_across, level=level, steepness=tilt.weighed2,
+        flat=drawn.flat, density=drawn.density * tilt.density / groove.seen)
+
+
+@part("Stretched Direction", "direction", "length")
 def _stretched_direction(n, u_azimuth, ellipse):
     """The unit direction that a facet is tilted in, and how far the stretching takes its tilt out."""
     t, is_elliptic = ellipse.t, ellipse.is_elliptic
@@ -260,8 +308,12 @@ def _stretched_direction(n, u_azimuth, ellipse):
 
 def _c(m, ellipse):
     """The c of the Gaussian that normalises."""
-    if ellipse is None:
-        return gaussian_c(m)
+    return gaussian_c(m) if ellipse is None else _elliptic_c(m, ellipse)
+
+
+@part("Normalising c")
+def _elliptic_c(m, ellipse):
+    """The same where slopes may be stretched."""
     return where(ellipse.is_elliptic, elliptic_gaussian_c(ellipse.along * m, ellipse.across * m), gaussian_c(m))
 
 
@@ -271,22 +323,35 @@ def _c_m2(m, ellipse):
     return _c(m, ellipse) * (m * m) * product
 
 
-@term("Ellipse")
-def _stretch_lobe(x, n, out, cos_drawn, to_angle, ellipse):
-    """Give a facet the lobe that its round one becomes: what is e in even slopes is M e, M stretching along t.
+@part("Stretched Lobe")
+def _stretched_lobe(across, a_across, a_along, n, out, cos_drawn, to_angle, ellipse):
+    """The lobe that a facet's round one becomes: what is e in even slopes is M e, M stretching along t.
 
     Of the round lobe's axes the one across the ring comes to lie along the tilt again, `out` times as long; the other
     one, along the ring, comes to lie askew.
     """
     is_elliptic, product = ellipse.is_elliptic, ellipse.along * ellipse.across
     # Where the tilt is along (c, s) from t, the ring's axis has these components along the tilt and across it.
-    c, s = dot(x.across, ellipse.t), dot(cross(ellipse.t, x.across), n)
+    c, s = dot(across, ellipse.t), dot(cross(ellipse.t, across), n)
     squares = ellipse.across * ellipse.across - ellipse.along * ellipse.along
     askew, aside = out * (squares / product) * (c * s), product / out
-    narrow, along = x.a_across * out, x.a_along
+    narrow, along = a_across * out, a_along
     skew = along * (askew * to_angle)
     across2, along2 = narrow * narrow + skew * skew, (along * aside) * (along * aside)
     covariance = skew * (along * aside)
+    broad, u, w = _axes(across2, along2, covariance)
+    tangent = widen(u / cos_drawn) * across + widen(w) * cross(n, across)
+    return SimpleNamespace(
+        lobe_tangent=where(widen(is_elliptic), normalize(tangent), across),
+        narrow=where(is_elliptic, narrow * (along * aside) / maximum(broad, SMALLEST), a_across),
+        broad=where(is_elliptic, broad, a_along),
+        a_across=where(is_elliptic, sqrt(across2), a_across), a_along=where(is_elliptic, along * aside, a_along),
+        covariance=is_elliptic * covariance)
+
+
+@part("Axes of the Lobe", "broad", "u", "w")
+def _axes(across2, along2, covariance):
+    """The longer axis of an ellipse of these variances, and how far the shorter lies across and along."""
     mean, half = 0.5 * (across2 + along2), 0.5 * (across2 - along2)
     apart = sqrt(half * half + covariance * covariance)
     broad = sqrt(mean + apart)
@@ -295,15 +360,10 @@ def _stretch_lobe(x, n, out, cos_drawn, to_angle, ellipse):
     lies_across = less(half, nearly)
     u = where(lies_across, (apart - half) + nearly, -covariance)
     w = where(lies_across, -covariance, apart + half)
-    tangent = widen(u / cos_drawn) * x.across + widen(w) * cross(n, x.across)
-    x.lobe_tangent = where(widen(is_elliptic), normalize(tangent), x.lobe_tangent)
-    x.narrow = where(is_elliptic, narrow * (along * aside) / maximum(broad, SMALLEST), x.narrow)
-    x.broad = where(is_elliptic, broad, x.broad)
-    x.a_across = where(is_elliptic, sqrt(across2), x.a_across)
-    x.a_along = where(is_elliptic, along * aside, x.a_along)
-    x.covariance = is_elliptic * covariance
+    return broad, u, w
 
 
+@part("Facet of Beckmann", "tangent drawn", "cosine drawn", "tangent", "N·H", "flat", "density", "to angle")
 def _beckmann(drawn2, drawn, weighed2):
     """What :func:`facet` needs of a facet with tan² α = drawn2, weighed at another, in its order.
 
@@ -314,20 +374,22 @@ def _beckmann(drawn2, drawn, weighed2):
     return drawn, cos_drawn, sqrt(weighed2), n_h, n_h * n_h, cos_drawn / n_h, cos_drawn
 
 
-def _gaussian(drawn, weighed2, m, ellipse=None):
+@part("Facet of Gauss", "tangent drawn", "cosine drawn", "tangent", "N·H", "flat", "density", "to angle")
+def _gaussian(drawn, weighed2, c_m2):
     """What :func:`facet` needs of a facet with α = drawn, weighed at another, in its order.
+
+    c_m2  of :func:`_c_m2`
 
     In the plane of (α cos φ, α sin φ) dω = sin α/α d²α.
     """
     alpha_drawn, weighed = minimum(drawn, STEEPEST), sqrt(weighed2)
     alpha = maximum(minimum(weighed, STEEPEST), 1e-4)
     sine, n_h, cos_drawn = sin(alpha), cos(alpha), cos(alpha_drawn)
-    c_m2 = _c_m2(m, ellipse)
     return (sin(alpha_drawn) / cos_drawn, cos_drawn, sine / n_h, n_h, inverse_sqrt(c_m2),
             less(weighed, STEEPEST) * c_m2 * sine * cos_drawn / alpha, 1.0)
 
 
-@term("D native / D")
+@part("D native / D")
 def native_over_d(x, m, lean):
     """D G of the native lobe over D, and N·V over its own: what it reflects in units of the formula's F D/(4π N·V).
 
@@ -346,13 +408,8 @@ def native_over_d(x, m, lean):
     >>> round(float(native_over_d(x, 0.5, 0.0)), 4)
     0.9637
     """
-    # Cosines to N + lean V, which is 1/shorter times as long as N; and the squares of slopes about it, and 1.
-    shorter2 = lean * (2.0 * x.n_v + lean) + 1.0
-    y_h, y_v = lean * x.v_h + x.n_h, lean + x.n_v
-    y_l = maximum((2.0 * (x.v_h * x.v_h) - 1.0) * lean + x.n_l, SMALLEST)
-    slope2_h, slope2_v, slope2_l = (shorter2 / (y * y) for y in (y_h, y_v, y_l))
-    m2 = m * m
-    m_native = native_slope(m)
+    slope2_h, slope2_v, slope2_l = _slopes_about(x.n_h, x.n_v, x.n_l, x.v_h, lean)
+    m2, m_native = m * m, native_slope(m)
     m2_native = m_native * m_native
     narrower = m2 / m2_native
     masked, shadowed = (
@@ -364,7 +421,16 @@ def native_over_d(x, m, lean):
     return (peaks * peaks) * ratio * (x.n_v * sqrt(slope2_v)) / (masked + shadowed + 1.0)
 
 
-@term("G")
+@part("Slopes about the Native Lobe", "of H", "of V", "of L")
+def _slopes_about(n_h, n_v, n_l, v_h, lean):
+    """The squares of the slopes of H, V and L about N + lean V, and 1."""
+    # Cosines to N + lean V, which is 1/shorter times as long as N.
+    shorter2 = lean * (2.0 * n_v + lean) + 1.0
+    y_h, y_v = lean * v_h + n_h, lean + n_v
+    y_l = maximum((2.0 * (v_h * v_h) - 1.0) * lean + n_l, SMALLEST)
+    return tuple(shorter2 / (y * y) for y in (y_h, y_v, y_l))
+
+
 def sharpened_v_cavity(x):
     """The V-cavity G at a facet x of :func:`facet`, its kinks raised so that blurred by the lobe it comes out as G.
 
@@ -379,6 +445,24 @@ def sharpened_v_cavity(x):
     >>> round(float(sharpened_v_cavity(mirror)), 4), round(float(sharpened_v_cavity(lobe)), 4)
     (1.0, 1.0137)
     """
+    return part("Sharpened G" if _is_stretched(x) else "Sharpened Round G")(_sharpened)(x)
+
+
+def _is_stretched(x):
+    """Whether a facet's lobe may lie askew."""
+    return hasattr(x, "covariance")
+
+
+def _sharpened(x):
+    """As :func:`sharpened_v_cavity` has it."""
+    reach = part("Reach" if _is_stretched(x) else "Round Reach")(_reach)(x)
+    uncut = minimum(x.n_l, x.n_v) * (2.0 / x.level)
+    near = maximum(reach - absolute(uncut - 1.0), 0.0)
+    return near * (0.25 * (near / maximum(reach, SMALLEST))) + clip(uncut, 0.0, 1.0)
+
+
+def _reach(x):
+    """How far G changes across the lobe, at most 1."""
     steep = (2.0 * x.n_v) / (x.v_h * x.v_h)
     shadowed = less(x.n_l, x.n_v)
     fall = -8.0 * (shadowed * ((x.n_h * x.n_h) * x.tangent)) + steep * x.v_across
@@ -386,14 +470,13 @@ def sharpened_v_cavity(x):
     turn = steep * x.n_h
     along = x.a_along * turn
     v_along2 = (1.0 - x.n_v * x.n_v) - x.v_across * x.v_across
-    both = x.covariance * (2.6 * (fall * (turn * x.v_along)))
-    reach = minimum(sqrt(1.69 * (across * across) + (along * along) * v_along2 + both), 1.0)
-    uncut = minimum(x.n_l, x.n_v) * (2.0 / x.level)
-    near = maximum(reach - absolute(uncut - 1.0), 0.0)
-    return near * (0.25 * (near / maximum(reach, SMALLEST))) + clip(uncut, 0.0, 1.0)
+    squared = 1.69 * (across * across) + (along * along) * v_along2
+    if _is_stretched(x):
+        squared = squared + x.covariance * (2.6 * (fall * (turn * x.v_along)))
+    return minimum(sqrt(squared), 1.0)
 
 
-@term("f cos/p")
+@part("f cos/p")
 def facet_weight(x, scale, native, n, k, f0, b, weight=1.0, probability=1.0):
     """Colour of the lobe about a drawn facet: F G less the native lobe, over the density, ``(..., 3)``.
 

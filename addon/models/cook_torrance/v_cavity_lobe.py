@@ -8,11 +8,13 @@ rms difference is 0.07 % of the rms at m = 0.2, 0.3 % at 0.3, 1.2 % at 0.4, 2.8 
 and weight constant 0.3 %, 0.2 %, 1.7 %, 5.2 % and 9.7 %); the albedo is within 1.4 % up to 80° and m = 0.6.
 """
 
-from ...operands import cross, dot, length, less, maximum, minimum, rotate, sqrt, term, where
+from types import SimpleNamespace
+
+from ...operands import cross, dot, length, less, maximum, minimum, part, rotate, sqrt, where
 from ...reflectance.directions import PI, frame_along
 from ...reflectance.slopes import along_across
 
-__all__ = ["SeenFrom", "v_cavity_lobe"]
+__all__ = ["seen_from", "slope_towards_viewer", "v_cavity_lobe"]
 
 ROUGHEST_FITTED = 0.65
 """Above this slope the fit's factors are those of this slope."""
@@ -20,34 +22,41 @@ ROUGHEST_FITTED = 0.65
 SMALLEST_SINE = 1e-4
 
 
-class SeenFrom:
-    """How a surface is seen: the sine of the angle from N to V, and the slope in V's direction.
+@part("Seen From")
+def seen_from(n, v, tangent, rotation):
+    """How a surface is seen: the sine of the angle from N to V, and where V is along and across a tangent, by name.
 
-    n, v        unit normal and direction to the viewer
-    tangent     what the slopes are stretched along, turned by `rotation` about n
-    anisotropy  [0, 1); where it is 0 all that this adds to the nodes folds away
+    n, v      unit normal and direction to the viewer
+    tangent   what the slopes are stretched along, turned by `rotation` about n
+
+    >>> from addon.reflectance.directions import direction
+    >>> seen = seen_from(direction(0.0, 0.0), direction(0.5, 0.0), direction(0.3, 0.0), 0.25)
+    >>> [round(float(x), 4) + 0.0 for x in (seen.sine, seen.v_t, seen.v_b)]
+    [0.4794, 0.0, -0.4794]
     """
-
-    def __init__(self, n, v, tangent, rotation, anisotropy):
-        self.sine, self.anisotropy = length(cross(n, v)), anisotropy
-        t, b = frame_along(n, rotate(tangent, n, (2.0 * PI) * rotation))
-        self.v_t, self.v_b = dot(v, t), dot(v, b)
-
-    @term("m(V)")
-    def slope(self, m):
-        """Rms slope in the plane of N and V, of facets of rms slope m.
-
-        >>> from addon.reflectance.directions import direction
-        >>> seen = SeenFrom(direction(0.0, 0.0), direction(0.5, 0.0), direction(0.3, 0.0), 0.25, 0.6)
-        >>> round(float(seen.slope(0.2)), 4), round(float(seen.slope(0.2) * 1.4744 / 0.6782), 4)
-        (0.1356, 0.2949)
-        """
-        along, across = along_across(m, self.anisotropy)
-        x, y = along * self.v_t, across * self.v_b
-        return where(less(0.0, self.anisotropy), sqrt(x * x + y * y) / maximum(self.sine, SMALLEST_SINE), m)
+    t, b = frame_along(n, rotate(tangent, n, (2.0 * PI) * rotation))
+    return SimpleNamespace(sine=length(cross(n, v)), v_t=dot(v, t), v_b=dot(v, b))
 
 
-@term("V-cavity")
+@part("Slope towards V")
+def slope_towards_viewer(m, seen, anisotropy):
+    """Rms slope in the plane of N and V, of facets of rms slope m.
+
+    seen        of :func:`seen_from`
+    anisotropy  [0, 1); where it is 0 all that this adds to the nodes folds away
+
+    >>> from addon.reflectance.directions import direction
+    >>> seen = seen_from(direction(0.0, 0.0), direction(0.5, 0.0), direction(0.3, 0.0), 0.25)
+    >>> slopes = [slope_towards_viewer(m, seen, 0.6) for m in (0.2, 0.2 * 1.4744 / 0.6782)]
+    >>> [round(float(slope), 4) for slope in slopes]
+    [0.1356, 0.2949]
+    """
+    along, across = along_across(m, anisotropy)
+    x, y = along * seen.v_t, across * seen.v_b
+    return where(less(0.0, anisotropy), sqrt(x * x + y * y) / maximum(seen.sine, SMALLEST_SINE), m)
+
+
+@part("V-cavity Lobe", "widening", "weight")
 def v_cavity_lobe(sine, m):
     """What the lobe's roughness √m is to be multiplied by, and its weight.
 

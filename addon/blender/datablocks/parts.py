@@ -1,0 +1,43 @@
+"""The parts of our node groups, groups themselves: one of each in a file, whatever groups of ours share it."""
+
+import bpy
+
+from .fingerprints import PART_KEY, fingerprint, fingerprint_of_part
+from .locked import is_editable
+
+__all__ = ["drop_unused_parts", "mark_parts", "merge_parts"]
+
+
+def mark_parts(trees):
+    """Note in parts what they compute, once they are whole."""
+    for tree in trees:
+        tree[PART_KEY] = fingerprint(tree)
+
+
+def merge_parts():
+    """Make one of equal parts in the file: what comes in brings its own. One that someone edited stays by itself."""
+    found = {}
+    for tree in _parts():
+        found.setdefault(tree[PART_KEY], []).append(tree)
+    needless, known = [], {}
+    for key, trees in found.items():
+        same = [tree for tree in trees if fingerprint_of_part(tree, known) == key] if len(trees) > 1 else []
+        for tree in same[1:]:
+            tree.user_remap(same[0])
+            needless.append(tree)
+    if needless:
+        bpy.data.batch_remove(needless)
+
+
+def drop_unused_parts():
+    """Take away the parts that no group has any more."""
+    while True:
+        unused = [tree for tree in _parts() if tree.users == tree.use_fake_user]
+        if not unused:
+            return
+        bpy.data.batch_remove(unused)
+
+
+def _parts():
+    """Every part in the file that may be changed."""
+    return [tree for tree in bpy.data.node_groups if PART_KEY in tree and is_editable(tree)]
