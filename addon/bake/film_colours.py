@@ -7,7 +7,7 @@ from ..spectra.observers import WAVELENGTH_NM
 from .colour import delta_e_2000, lab
 from .film_recurrence import BLOCK, Recurrence
 
-__all__ = ["colours", "exact_colours", "stepped_colours", "step_for", "coarse_weights"]
+__all__ = ["colours", "exact_colours", "stepped_colours", "step_for", "steps_for", "coarse_weights"]
 
 STEPS = (6, 4, 2)
 """Wavelength steps in nm that may do; else it is 1."""
@@ -21,19 +21,28 @@ LEAST_COS_THETA = np.cos(np.radians(89.0))
 """Beyond 89° no colours are compared."""
 
 
-def stepped_colours(stack, viewing, cos_theta, count, of="reflected", progress=None):
+def stepped_colours(stack, viewing, cos_theta, count, low=None, high=None, steps=None, of="reflected", progress=None):
     """:func:`colours` with the wavelength steps that the stack needs, grazing angles and the others apart.
 
+    steps     (of grazing angles, of others), as :func:`steps_for` finds them, by default for these angles
     progress  function that is told the share that is done
     """
     grazing = cos_theta < GRAZING
     found, done = np.empty((len(cos_theta), count, 3), np.float32), 0.0
-    for band in filter(np.any, (grazing, ~grazing)):
-        step, share = step_for(stack, viewing, cos_theta[band], of), float(band.mean())
-        found[band] = colours(stack, viewing, cos_theta[band], count, step=step, of=of,
-                              progress=_part_of(progress, done, share))
+    for band, step in zip((grazing, ~grazing), steps or (None, None)):
+        if not band.any():
+            continue
+        step, share = step or step_for(stack, viewing, cos_theta[band], of), float(band.mean())
+        found[band] = colours(stack, viewing, cos_theta[band], count, low, high, step, of,
+                              _part_of(progress, done, share))
         done += share
     return found
+
+
+def steps_for(stack, viewing, of="reflected"):
+    """(wavelength step in nm at grazing angles, at others) that a stack needs; see :func:`step_for`."""
+    return tuple(step_for(stack, viewing, np.array(ends) ** 2, of)
+                 for ends in ((0.0, GRAZING**0.5), (GRAZING**0.5, 1.0)))
 
 
 def _part_of(progress, done, share):
@@ -53,10 +62,11 @@ def step_for(stack, viewing, cos_theta, of="reflected"):
     angles, thicknesses = TRIED
     low, high = np.maximum([cos_theta.min(), cos_theta.max()], LEAST_COS_THETA)
     tried = np.linspace(np.sqrt(low), np.sqrt(high), angles) ** 2
-    fine, *others = (lab(colours(stack, viewing, tried, thicknesses, step=step, of=of).astype(float), viewing.space)
-                     for step in (1, *STEPS))
-    close = (step for step, other in zip(STEPS, others) if delta_e_2000(fine, other).max() <= STEP_TOLERANCE)
-    return next(close, 1)
+
+    def at(step):
+        return lab(colours(stack, viewing, tried, thicknesses, step=step, of=of).astype(float), viewing.space)
+    fine = at(1)
+    return next((step for step in STEPS if delta_e_2000(fine, at(step)).max() <= STEP_TOLERANCE), 1)
 
 
 def coarse_weights(weights, step):
@@ -111,11 +121,9 @@ def colours(stack, viewing, cos_theta, count, low=None, high=None, step=1, of="r
     wavelength, weights = coarse_weights(viewing.weights, step)
     recurrence = Recurrence(stack, cos_theta, wavelength, np.linspace(low, high, count))
     weights = np.ascontiguousarray(weights.T, np.float32)
-    found = np.empty((3, len(cos_theta), count), np.float32)
+    found = np.empty((count, 3, len(cos_theta)), np.float32)
     for start in range(0, count, BLOCK):
-        powers = recurrence.block(of).reshape(wavelength.size, -1)
-        block = (weights @ powers).reshape(3, len(cos_theta), BLOCK)
-        found[:, :, start:start + BLOCK] = block[:, :, :count - start]
+        found[start:start + BLOCK] = (weights @ recurrence.block(of))[:count - start]
         if progress:
             progress(min(1.0, (start + BLOCK) / count))
-    return np.moveaxis(found, 0, -1)
+    return found.transpose(2, 0, 1)

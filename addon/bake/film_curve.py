@@ -101,9 +101,9 @@ class CurveTable:
         """One sentence on it."""
         return "A Fresnel curve over the angle, as it was given."
 
-    def curve(self, _thickness_nm, cos_theta):
-        """The linear RGB over the angle ``(A, 3)``."""
-        return self.at(cos_theta)
+    def curves(self, thicknesses_nm, cos_theta):
+        """The linear RGB over the angle, the same at each thickness, ``(D, A, 3)``."""
+        return np.stack([self.at(cos_theta)] * len(thicknesses_nm))
 
     def to_dict(self):
         """What a record keeps of it, ready for JSON."""

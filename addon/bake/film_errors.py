@@ -23,6 +23,12 @@ __all__ = ["RealisationErrors", "standard_errors", "reference_errors", "realisat
 SUNS = (30.0, 75.0)
 SUN_DIAMETER = 5.0
 FURNACE_DEGREES = np.arange(0.0, 85.0, 12.0)
+SPHERE, SUN_RAYS, FACETS = 48, 19, 48
+"""Pixels across the sphere, directions of a sun, and roots of the number of half vectors of the furnace."""
+GRID = np.linspace(0.0, 1.0, 129)
+"""√cos θ of an exact curve."""
+FINE = np.linspace(0.0, 1.0, 505)
+"""√cos θ of the curve that stands for a table at one thickness; the rows of one of 64 are among them."""
 SHOWN = 0.02
 LEAST_N_V = 0.1
 SAMPLING_WIDTH = 0.2
@@ -54,10 +60,7 @@ def standard_errors(table, m, thickness_nm):
     thickness_nm  within the table's range
     """
     m = number("slope m", m, high=1.0, above=0.0)
-
-    def lobes(n, v):
-        return tilted_lobes(n, v, m, lambda c: table.at(c, thickness_nm))
-    return _errors(table, m, thickness_nm, lobes=lobes)
+    return _standard(table, m, thickness_nm, _exact(table, thickness_nm))
 
 
 def reference_errors(table, m, thickness_nm, width=SAMPLING_WIDTH):
@@ -70,10 +73,8 @@ def reference_errors(table, m, thickness_nm, width=SAMPLING_WIDTH):
     What remains once noise is gone; table and others as :func:`standard_errors`.
     """
     m = number("slope m", m, high=1.0, above=0.0)
-
-    def blurred(n, h, v):
-        return _blurred(lambda c: table.at(c, thickness_nm), n, h, v, m, number("sampling width", width, 0.0, 1.0))
-    return _errors(table, m, thickness_nm, blurred=blurred)
+    width = number("sampling width", width, 0.0, 1.0)
+    return _reference(table, m, thickness_nm, _exact(table, thickness_nm), width)
 
 
 def realisation_errors(table, m, count=5):
@@ -81,10 +82,12 @@ def realisation_errors(table, m, count=5):
 
     count  thicknesses from end to end of the table's range; one where nothing varies
     """
+    m = number("slope m", m, high=1.0, above=0.0)
     low, high = table.thickness_range_nm
     thicknesses = np.linspace(low, high, count) if high > low else [low]
-    return {name: worst_of(errors(table, m, thickness) for thickness in thicknesses)
-            for name, errors in (("standard", standard_errors), ("reference", reference_errors))}
+    found = [(thickness, _between(curve)) for thickness, curve in zip(thicknesses, table.curves(thicknesses, GRID**2))]
+    return {"standard": worst_of(_standard(table, m, thickness, film) for thickness, film in found),
+            "reference": worst_of(_reference(table, m, thickness, film, SAMPLING_WIDTH) for thickness, film in found)}
 
 
 def worst_of(errors):
@@ -92,9 +95,28 @@ def worst_of(errors):
     return RealisationErrors(*(float(x) for x in np.max(np.array(list(errors)), axis=0)))
 
 
-def _errors(table, m, thickness_nm, lobes=None, blurred=None):
-    film = _exact(table, thickness_nm)
-    space = table.viewing.space
+def _standard(table, m, thickness_nm, film):
+    def lobes(n, v):
+        return tilted_lobes(n, v, m, lambda c: table.at(c, thickness_nm))
+    return _errors(film, m, table.viewing.space, lobes=lobes)
+
+
+def _reference(table, m, thickness_nm, film, width):
+    root = np.sqrt(table.at(FINE**2, thickness_nm))
+
+    def look(c):
+        y = np.sqrt(c) * (len(FINE) - 1)
+        low = np.minimum(y.astype(int), len(FINE) - 2)
+        share = (y - low)[..., None]
+        found = root[low] + share * (root[low + 1] - root[low])
+        return found * found
+
+    def blurred(n, h, v):
+        return _blurred(look, n, h, v, m, width)
+    return _errors(film, m, table.viewing.space, blurred=blurred)
+
+
+def _errors(film, m, space, lobes=None, blurred=None):
     spheres = [_difference(*_sphere(film, m, angle, lobes, blurred), space) for angle in SUNS]
     furnace = _difference(*_furnace(film, m, lobes, blurred), space)
     everywhere = np.concatenate(spheres)
@@ -108,9 +130,12 @@ def _difference(shown, exact, space):
 
 def _exact(table, thickness_nm):
     """The exact F, mapped as the table is, as a function of cos θ."""
-    grid = np.linspace(0.0, 1.0, 129)
-    rgb = table.curve(float(thickness_nm), grid**2)
-    return lambda c: np.stack([np.interp(np.sqrt(c), grid, channel) for channel in rgb.T], axis=-1)
+    return _between(table.curves([thickness_nm], GRID**2)[0])
+
+
+def _between(rgb):
+    """A curve at GRID² as a function of cos θ."""
+    return lambda c: np.stack([np.interp(np.sqrt(c), GRID, channel) for channel in rgb.T], axis=-1)
 
 
 def _sphere(film, m, degrees, lobes, blurred):
@@ -188,7 +213,7 @@ def _any_tangent(n):
 
 
 @functools.lru_cache(maxsize=1)
-def _sphere_normals(count=48):
+def _sphere_normals(count=SPHERE):
     """Normals of a sphere's pixels, ``(P, 3)``: one half of them, as the sun is in the plane of x and z."""
     x, y = np.meshgrid((np.arange(count) + 0.5) / count * 2.0 - 1.0, (np.arange(count // 2) + 0.5) / count * 2.0)
     z = np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))
@@ -196,16 +221,16 @@ def _sphere_normals(count=48):
 
 
 def _sun(angle):
-    """Directions of a disc of 5° about the one at this angle from the viewer, ``(19, 3)``."""
-    radius = np.radians(SUN_DIAMETER / 2.0) * np.sqrt((np.arange(19) + 0.5) / 19)
-    turn = np.arange(19) * 2.399963  # the golden angle: even on the disc
+    """Directions of a disc of 5° about the one at this angle from the viewer, ``(SUN_RAYS, 3)``."""
+    radius = np.radians(SUN_DIAMETER / 2.0) * np.sqrt((np.arange(SUN_RAYS) + 0.5) / SUN_RAYS)
+    turn = np.arange(SUN_RAYS) * 2.399963  # the golden angle: even on the disc
     across = np.array([[np.cos(angle), 0.0, -np.sin(angle)], [0.0, 1.0, 0.0]])
     light = np.array([np.sin(angle), 0.0, np.cos(angle)]) + (radius * [np.cos(turn), np.sin(turn)]).T @ across
     return light / np.linalg.norm(light, axis=-1, keepdims=True)
 
 
 @functools.lru_cache(maxsize=4)
-def _slopes(m, count=48):
+def _slopes(m, count=FACETS):
     """Facets about z that are even in D cos α dω, ``(count², 3)``."""
     tan_alpha = m * np.sqrt(-np.log((np.arange(count) + 0.5) / count))[:, None]
     phi = (np.arange(count) + 0.5) / count * 2.0 * np.pi

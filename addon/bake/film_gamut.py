@@ -17,6 +17,9 @@ __all__ = ["FilmGamutReport", "map_film_colours", "desaturate_smoothly", "P"]
 P = 12
 """Exponent of the norm that stands for a maximum; higher is closer to one, and kinkier."""
 
+FARTHEST = 1000.0
+"""Distance that is held to, so that its twelfth power is a number in single precision."""
+
 SMOOTHED = ("desaturate", "nearest")
 """Ways of a Viewing that are the smooth desaturation for films."""
 
@@ -79,7 +82,7 @@ def desaturate_smoothly(rgb, luminance_weights):
     """
     neutral = np.clip(rgb @ luminance_weights.astype(rgb.dtype), 1e-6, 1.0 - 1e-6)[..., None]
     away = rgb - neutral
-    distance = np.maximum(-away / neutral, away / (1.0 - neutral))
+    distance = np.minimum(np.maximum(-away / neutral, away / (1.0 - neutral)), FARTHEST)
     distance *= distance
     distance *= distance  # d⁴: repeated squares are what P = 12 takes
     keep = (1.0 + (distance * distance * distance).sum(axis=-1, keepdims=True)) ** (-1.0 / P)

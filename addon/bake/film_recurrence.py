@@ -7,6 +7,7 @@ thickness takes a few products in single precision, and as |z| ≤ 1 none of the
 is the small difference of large ones.
 """
 
+import itertools
 import math
 
 import numpy as np
@@ -22,10 +23,12 @@ BLOCK = 16
 class Recurrence:
     """A stack over a grid of wavelengths and angles, a block of thicknesses at a time.
 
+    Thickness is the first axis: what does not depend on it is broadcast over whole grids, which numpy does fast.
+
     >>> from .stack_notation import parse
     >>> from ..spectra.optical_constants import load
     >>> coat = Recurrence(parse("1.38 0-100 nm / 1.52", load), np.ones(1), np.array([550.0]), np.array([0.0, 100.0]))
-    >>> [round(float(share), 4) for share in coat.block("reflected")[0, 0, :2]]
+    >>> [round(float(share), 4) for share in coat.block("reflected")[:2, 0, 0]]
     [0.0426, 0.0126]
     """
 
@@ -37,12 +40,17 @@ class Recurrence:
         into = q[-1].real / q[0].real, (q[-1] / indices[-1] ** 2).real / (q[0].real / indices[0] ** 2)
         self.chains = [_Chain(optics.boundaries(q, indices, p), trips, into[p]) for p in (False, True)]
         self.trips = {*filter(_varies, trips)}
+        self.is_of_one = len(self.chains[0].steps) == 2
 
     def block(self, of):
-        """Shares of unpolarised light at the next BLOCK thicknesses, ``(W, A, BLOCK)``.
+        """Shares of unpolarised light at the next BLOCK thicknesses, ``(BLOCK, W, A)``.
 
         of  "reflected" or "transmitted"
         """
+        if of == "reflected" and self.is_of_one:
+            trip, = self.trips
+            parts = trip.parts()
+            return 0.5 * sum(chain.reflected_by_one(*parts) for chain in self.chains)
         z = {trip: trip.block() for trip in self.trips}
         return 0.5 * sum(getattr(chain, of)(z) for chain in self.chains)
 
@@ -53,14 +61,21 @@ class _Trip:
     def __init__(self, first, step):
         """first: exponent ``(W, A)`` at the first thickness; step: what each further one adds."""
         self.now = np.exp(first)
-        self.powers = np.exp(step[..., None] * np.arange(BLOCK)).astype(np.complex64)
-        self.leap = np.exp(BLOCK * step)
+        once = np.exp(step)
+        powers = list(itertools.accumulate([np.ones_like(once), *[once] * BLOCK], np.multiply))
+        self.powers, self.leap = np.stack(powers[:BLOCK]).astype(np.complex64), powers[BLOCK]
 
     def block(self):
-        """``(W, A, BLOCK)``, the next thicknesses."""
-        found = self.now.astype(np.complex64)[..., None] * self.powers
+        """``(BLOCK, W, A)``, the next thicknesses."""
+        found = self.now.astype(np.complex64) * self.powers
         self.now = self.now * self.leap
         return found
+
+    def parts(self):
+        """Its real part, its imaginary part and its square |z|², ``(BLOCK, W, A)`` each."""
+        found = self.block()
+        real, imaginary = (np.ascontiguousarray(part) for part in (found.real, found.imag))
+        return real, imaginary, real * real + imaginary * imaginary
 
 
 class _Chain:
@@ -90,9 +105,9 @@ class _Chain:
         self._keep(trip, matrix)
 
     def _keep(self, trip, matrix):
-        """In single precision, scaled so that the largest is 1; ``(W, A, 1)`` each."""
+        """In single precision, scaled so that the largest is 1; ``(W, A)`` each."""
         size = np.max(np.abs(np.stack(matrix)), axis=0)
-        self.steps.append((trip, tuple((x / size).astype(np.complex64)[..., None] for x in matrix)))
+        self.steps.append((trip, tuple((x / size).astype(np.complex64) for x in matrix)))
         self.let = self.let / (size * size)
 
     def _fraction(self, z):
@@ -103,13 +118,20 @@ class _Chain:
         return top, bottom
 
     def reflected(self, z):
-        """|r|², ``(W, A, BLOCK)``."""
+        """|r|², ``(BLOCK, W, A)``."""
         top, bottom = self._fraction(z)
         return _squared(top) / _squared(bottom)
 
+    def reflected_by_one(self, real, imaginary, both):
+        """The same where one film varies, of its :meth:`_Trip.parts`: |a z + b|² = |a z|² + |b|² + 2 Re(a b̄ z)."""
+        (_, (top, bottom)), (_, (a, b, c, d)) = self.steps
+        above, below = (_squared_sum(*pair, real, imaginary, both)
+                        for pair in ((a * top, b * bottom), (c * top, d * bottom)))
+        return np.maximum(above, 0.0, out=above) / below
+
     def transmitted(self, z):
-        """The power that enters the substrate, ``(W, A, BLOCK)``."""
-        let = self.let.astype(np.float32)[..., None] / _squared(self._fraction(z)[1])
+        """The power that enters the substrate, ``(BLOCK, W, A)``."""
+        let = self.let.astype(np.float32) / _squared(self._fraction(z)[1])
         for trip, _ in self.steps[1:]:
             let = let * np.abs(z[trip])
         return let
@@ -131,6 +153,16 @@ def _round_trips(stack, q, wavelength, thicknesses):
         elif key not in kept:
             kept[key] = optics.round_trip(inside, first, wavelength)
         found.append(kept[key])
+    return found
+
+
+def _squared_sum(a, b, real, imaginary, both):
+    """|a z + b|² in real numbers, which is a sixth of the work."""
+    product = 2.0 * a * b.conj()
+    found = _squared(a) * both
+    found += _squared(b)
+    found += product.real * real
+    found -= product.imag * imaginary
     return found
 
 

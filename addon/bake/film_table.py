@@ -22,6 +22,8 @@ __all__ = ["FilmTable", "film_table", "smallest_table", "curve_over_angle", "ROW
 ROWS, COLUMNS = 64, 512
 SIZES = ((16, 64), (32, 128), (32, 256), (64, 256), (64, 512), (64, 1024))
 MOST_PIXELS = 1 << 20
+MOST_AT_ONCE = 16.0
+"""Of an error over the tolerance: no more than this is taken to tell which sizes cannot do."""
 LOSSLESS = 2e-3
 """Absorbed shares up to this are rounding and gamut mapping of films that absorb nothing."""
 LIGHTS = ("reflected", "transmitted")
@@ -41,6 +43,8 @@ class FilmTable:
     delta_e_2000_mean    the mean
     gamut                FilmGamutReport
     of                   "reflected" or "transmitted": which light
+    steps                wavelength steps in nm that it was made with: at grazing angles, at others; None where nothing
+                         varies, and it is every nm
     """
 
     stack: object
@@ -52,6 +56,7 @@ class FilmTable:
     delta_e_2000_mean: float
     gamut: FilmGamutReport
     of: str = "reflected"
+    steps: tuple | None = None
 
     @property
     def size(self):
@@ -83,18 +88,27 @@ class FilmTable:
         visible = np.arange(400.0, 701.0, 10.0)
         return any(float(np.max(film.constants.at(visible)[1])) * film.high > LOSSLESS for film in self.stack.films)
 
+    @property
+    def text(self):
+        """The stack in words."""
+        return written(self.stack)
+
     def said(self):
         """One sentence on it."""
-        return f"{written(self.stack)}: largest CIEDE2000 of the table {self.delta_e_2000_max:.2f}."
+        return f"{self.text}: largest CIEDE2000 of the table {self.delta_e_2000_max:.2f}."
 
-    def curve(self, thickness_nm, cos_theta):
-        """The exact linear RGB in the gamut of one thickness, ``(A, 3)`` at cos θ ``(A,)``."""
-        return curve_over_angle(self.stack, self.viewing, thickness_nm, cos_theta)
+    def curves(self, thicknesses_nm, cos_theta):
+        """The linear RGB in the gamut of the spectra at even thicknesses ``(D,)`` and cos θ ``(A,)``, ``(D, A, 3)``."""
+        if len(thicknesses_nm) == 1:
+            return curve_over_angle(self.stack, self.viewing, float(thicknesses_nm[0]), cos_theta)[None]
+        found = film_colours.stepped_colours(self.stack, self.viewing, cos_theta, len(thicknesses_nm),
+                                             thicknesses_nm[0], thicknesses_nm[-1], self.steps, self.of)
+        return np.moveaxis(map_film_colours(found, self.viewing)[0], 1, 0).astype(float)
 
     def to_dict(self):
         """What a record keeps of it, ready for JSON: everything but the table itself."""
         return plain({
-            "stack": written(self.stack), "k_left_out_outside": self.stack.k_left_out, "of": self.of, "f0": self.f0,
+            "stack": self.text, "k_left_out_outside": self.stack.k_left_out, "of": self.of, "f0": self.f0,
             "table": {"thickness_range_nm": self.thickness_range_nm, "size": self.size,
                       "delta_e_2000_max": self.delta_e_2000_max, "delta_e_2000_mean": self.delta_e_2000_mean},
             "gamut": self.gamut, "illuminant": self.viewing.illuminant, "observer": self.viewing.observer,
@@ -104,13 +118,16 @@ class FilmTable:
                        for word, constants in self.stack.layers]})
 
 
-def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS, of="reflected", progress=None):
+def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS, of="reflected", steps=None, errors=None,
+               progress=None):
     """The FilmTable of a Stack.
 
     viewing        a Viewing; by default Viewing()
     rows, columns  its size, 8 or more each, at most 1,048,576 in all; a stack of
                    which nothing varies has one column
     of             "reflected" or "transmitted", into what is below
+    steps          of the wavelength, as :func:`addon.bake.film_colours.steps_for` finds them where none are given
+    errors         (largest, mean) CIEDE2000 of just this table, where they are known already
     progress       function that is told the share of the table that is done, for stacks that take seconds
 
     Raises FacetFilmError for another size or light.
@@ -118,26 +135,36 @@ def film_table(stack, viewing=None, *, rows=ROWS, columns=COLUMNS, of="reflected
     viewing = viewing or Viewing()
     choice("light", of, LIGHTS)
     rows, columns = _size(rows, columns if stack.varying else 1, bool(stack.varying))
-    cos_theta = np.linspace(0.0, 1.0, rows) ** 2
-    raw = _colours(stack, viewing, cos_theta, columns, of, progress)
+    if stack.varying:
+        steps = steps or film_colours.steps_for(stack, viewing, of)
+    raw = _colours(stack, viewing, np.linspace(0.0, 1.0, rows) ** 2, columns, of, steps, progress)
     rgb, report = map_film_colours(raw, viewing)
-    error = _errors(stack, viewing, rgb, of)
+    largest, mean = errors or _errors(stack, viewing, rgb, of, steps)
     return FilmTable(stack, viewing, rgb.astype(np.float32), stack.thickness_range_nm, tuple(raw[-1, 0].tolist()),
-                     float(error.max()), float(error.mean()), report, of)
+                     largest, mean, report, of, steps)
 
 
-def smallest_table(stack, viewing=None, tolerance=0.5, of="reflected"):
+def smallest_table(stack, viewing=None, tolerance=0.5, of="reflected", progress=None):
     """The FilmTable of the smallest of SIZES whose largest error is within a tolerance in CIEDE2000; else of the last.
+
+    Sizes are left out that would need errors to fall faster than with the square of what is between two columns.
 
     >>> from .stack_notation import parse
     >>> from ..spectra.optical_constants import load
     >>> smallest_table(parse("Fe3O4 0-120 nm / Fe", load)).size
     (32, 128)
     """
+    viewing = viewing or Viewing()
+    steps = film_colours.steps_for(stack, viewing, of) if stack.varying else None
+    least = 0
     for rows, columns in SIZES:
-        table = film_table(stack, viewing, rows=rows, columns=columns, of=of)
-        if table.delta_e_2000_max <= tolerance or not stack.varying and rows == ROWS:
+        if rows * columns < least:
+            continue
+        table = film_table(stack, viewing, rows=rows, columns=columns, of=of, steps=steps, progress=progress)
+        over = table.delta_e_2000_max / max(tolerance, 1e-9)
+        if over <= 1.0 or not stack.varying and rows == ROWS:
             break
+        least = rows * columns * min(over, MOST_AT_ONCE) ** 0.5
     return table
 
 
@@ -154,15 +181,15 @@ def _size(rows, columns, varies):
     return rows, columns
 
 
-def _colours(stack, viewing, cos_theta, columns, of, progress):
+def _colours(stack, viewing, cos_theta, columns, of, steps, progress):
     if not stack.varying:
         thickness = np.array([stack.thickness_range_nm[0]])
         return film_colours.exact_colours(stack, viewing, cos_theta[:, None], thickness, of).astype(np.float32)
-    return film_colours.stepped_colours(stack, viewing, cos_theta, columns, of, progress)
+    return film_colours.stepped_colours(stack, viewing, cos_theta, columns, steps=steps, of=of, progress=progress)
 
 
-def _errors(stack, viewing, rgb, of):
-    """CIEDE2000 between the mapped table and the mapped exact colours half-way between nodes, up to 89°."""
+def _errors(stack, viewing, rgb, of, steps):
+    """(largest, mean) CIEDE2000 of the mapped table from the mapped spectra's half-way between nodes, up to 89°."""
     rows, columns = rgb.shape[:2]
     y = np.arange(rows - 1) + 0.5
     cos_theta = (y / (rows - 1)) ** 2
@@ -174,10 +201,11 @@ def _errors(stack, viewing, rgb, of):
     else:
         x = np.arange(0, columns - 1, max(1, (columns - 1) // COMPARED_COLUMNS)) + 0.5
         first, last = low + x[[0, -1]] / (columns - 1) * (high - low)
-        exact = film_colours.colours(stack, viewing, cos_theta, len(x), first, last, of=of)
+        exact = film_colours.stepped_colours(stack, viewing, cos_theta, len(x), first, last, steps, of)
     exact = map_film_colours(exact, viewing)[0].astype(float)
     shown = _bilinear(np.sqrt(rgb.astype(float)), *np.meshgrid(y, x, indexing="ij")) ** 2
-    return delta_e_2000(lab(exact, viewing.space), lab(shown, viewing.space))
+    found = delta_e_2000(lab(exact, viewing.space), lab(shown, viewing.space))
+    return float(found.max()), float(found.mean())
 
 
 def _bilinear(table, y, x):

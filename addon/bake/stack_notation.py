@@ -13,19 +13,38 @@ index (:func:`addon.bake.film_names.constant_index`).  Between layers a slash
 has a space at both sides: datasets and Cauchy's b/λ² have slashes of their own.
 """
 
+import functools
 import re
+from typing import NamedTuple
 
 from ..errors import FacetFilmError
 from .film_names import film_lookup
 from .film_stack import Film, Stack
 
-__all__ = ["parse", "written", "is_stack"]
+__all__ = ["Layer", "Layers", "layers_of", "parse", "text_of", "written", "is_stack"]
 
 NUMBER = r"(\d+\.?\d*|\.\d+)"
 THICKNESS = re.compile(rf"^(.*\S)\s+(-?){NUMBER}\s*(?:[-–]\s*{NUMBER}\s*)?(nm|µm|μm|um|Å)$")
 UNITS = {"nm": 1.0, "µm": 1000.0, "μm": 1000.0, "um": 1000.0, "Å": 0.1}
 REPEAT = re.compile(r"^\((.*)\)\s*[x×*]\s*(\d+)$", re.DOTALL)
 MOST_REPEATS = 50
+
+
+class Layer(NamedTuple):
+    """A film as a text says it: its word, thickness from low to high in nm, and the piece of the text."""
+
+    word: str
+    low: float
+    high: float
+    place: str = ""
+
+
+class Layers(NamedTuple):
+    """What a text says, before anything is looked up: words of what is outside and below, and a Layer for each film."""
+
+    outside: str
+    films: tuple
+    below: str
 
 
 def is_stack(text):
@@ -55,21 +74,32 @@ def parse(text, lookup):
     ...
     addon.errors.FacetFilmError: At 'SiO2 -60 nm': a thickness is from 0 nm on, the lower end of a range first.
     """
+    said, find = layers_of(text), functools.cache(film_lookup(lookup))  # films alike are then told by their constants
+    films = tuple(Film(film.word, _found(film.word, film.place, find), film.low, film.high) for film in said.films)
+    return Stack(said.outside, _found(said.outside, said.outside, find), films,
+                 said.below, _found(said.below, said.below, find))
+
+
+def layers_of(text):
+    """The :class:`Layers` of a text, films that repeat one by one.  Raises FacetFilmError that begins with the place.
+
+    >>> layers_of("water | (TiO2 58 nm / SiO2 90-94 nm)x2 / glass").films[1][:3]
+    ('SiO2', 90.0, 94.0)
+    """
     if not isinstance(text, str) or not text.strip():
         raise FacetFilmError("A stack is a text such as 'SiO2 0-1000 nm / Si', from the outside in, not {value!r}.",
                              value=text)
-    find = film_lookup(lookup)
     outside, bar, inside = text.rpartition("|")
     outside = outside.strip() or "air"
     if bar and "|" in outside:
         raise FacetFilmError("At {place!r}: what is outside stands before one bar, and there are more.",
                              place=text.strip())
-    *films, below = _layers(inside)
-    films = tuple(film for piece in films for film in _films(piece, find))
+    *films, below = _pieces(inside)
+    films = tuple(film for piece in films for film in _films(piece))
     if THICKNESS.match(below) or REPEAT.match(below):
         raise FacetFilmError("At {place!r}: the last layer is what is below all films and has no thickness; name it "
                              "after another ' / '.", place=below)
-    return Stack(outside, _found(outside, outside, find), films, below, _found(below, below, find))
+    return Layers(outside, films, below)
 
 
 def written(stack):
@@ -79,11 +109,20 @@ def written(stack):
     >>> written(parse("(TiO2 58 nm / SiO2 94 nm)x3 / TiO2 58nm / glass", load))
     '(TiO2 58 nm / SiO2 94 nm)x3 / TiO2 58 nm / glass'
     """
-    outside = "" if stack.outside == "air" else f"{stack.outside} | "
-    return outside + " / ".join([*_folded([_film_text(film) for film in stack.films]), stack.below])
+    return text_of(stack)
 
 
-def _layers(text):
+def text_of(layers):
+    """The text of a Stack or of :class:`Layers`.
+
+    >>> text_of(Layers("air", (Layer("SiO2", 0.0, 300.0),), "Si"))
+    'SiO2 0-300 nm / Si'
+    """
+    outside = "" if layers.outside == "air" else f"{layers.outside} | "
+    return outside + " / ".join([*_folded([_film_text(film) for film in layers.films]), layers.below])
+
+
+def _pieces(text):
     """The pieces between slashes that have spaces around and stand in no brackets."""
     pieces, depth, start = [], 0, 0
     for match in re.finditer(r"[()]|(?<=\s)/(?=\s)", text):
@@ -102,19 +141,19 @@ def _layers(text):
     return pieces
 
 
-def _films(piece, find):
-    """The Films of one piece: one, or those that repeat."""
+def _films(piece):
+    """The Layers of one piece: one, or those that repeat."""
     repeated = REPEAT.match(piece)
     if repeated:
         times = int(repeated[2])
         if not 1 <= times <= MOST_REPEATS:
             raise FacetFilmError("At {place!r}: films repeat 1 to {most} times, not {times}.", place=piece,
                                  most=MOST_REPEATS, times=times)
-        return [film for inner in _layers(repeated[1]) for film in _films(inner, find)] * times
-    return [_film(piece, find)]
+        return [film for inner in _pieces(repeated[1]) for film in _films(inner)] * times
+    return [_film(piece)]
 
 
-def _film(piece, find):
+def _film(piece):
     found = THICKNESS.match(piece)
     if not found:
         raise FacetFilmError("At {place!r}: a film is named with its thickness, such as 'SiO2 100 nm', or with a "
@@ -123,7 +162,7 @@ def _film(piece, find):
     low, high = (round(float(number) * UNITS[unit], 6) for number in (first, last or first))
     if sign or high < low:
         raise FacetFilmError("At {place!r}: a thickness is from 0 nm on, the lower end of a range first.", place=piece)
-    return Film(word, _found(word, piece, find), low, high)
+    return Layer(word, low, high, piece)
 
 
 def _found(word, place, find):
@@ -134,7 +173,7 @@ def _found(word, place, find):
 
 
 def _film_text(film):
-    span = f"{film.low:g}-{film.high:g}" if film.varies else f"{film.low:g}"
+    span = f"{film.low:g}-{film.high:g}" if film.high > film.low else f"{film.low:g}"
     return f"{film.word} {span} nm"
 
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import settings, translations
+from . import layers, settings, translations
 from .assets import imported
 from .exporters import usd
 from .operators import (
@@ -26,6 +26,7 @@ from .operators import (
     user_presets,
     verify,
 )
+from .operators import layers as layers_operators
 from .panels import (
     card,
     load_ahead,
@@ -39,6 +40,7 @@ from .panels import (
     versions,
 )
 from .panels import finish as finish_panel
+from .panels import layers as layers_panel
 
 __all__ = ["register", "unregister"]
 
@@ -46,8 +48,9 @@ CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES,
            *measurements.CLASSES, *fit_brdf.CLASSES, *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES,
            *make_local.CLASSES, *match_space.CLASSES, *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES,
            *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES,
-           *material.CLASSES, *finish_panel.CLASSES, *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES,
-           *node_menu.CLASSES, *node_sidebar.CLASSES, *preferences.CLASSES)
+           *layers_operators.CLASSES, *material.CLASSES, *layers_panel.CLASSES, *finish_panel.CLASSES,
+           *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES,
+           *preferences.CLASSES)
 ATTACHED = (translations, settings, card, menus, node_menu, imported, usd)
 COMMAND = "facet_film"
 _commands = []
@@ -67,10 +70,11 @@ def unregister():
     bpy.utils.unregister_cli_command(_commands.pop())
     for module in reversed(ATTACHED):
         module.detach()
-    from .assets import library, names, search_items, thumbnails
+    from .assets import library, names, search_items, swatches, thumbnails
     from .datablocks import groups, menu
-    for module in (load_ahead, choose, search_items, names, groups, menu):
+    for module in (load_ahead, choose, search_items, names, groups, menu, layers):
         module.forget()
+    swatches.clear()
     thumbnails.clear()
     library.detach()
     for cls in reversed(CLASSES):

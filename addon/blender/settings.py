@@ -8,6 +8,7 @@ from bpy.app.translations import pgettext_iface as iface_
 
 from ..finishes import all_finishes
 from ..models.realisations import REALISATIONS
+from .layers import FacetFilmLayer, LayersEditor
 from .panels import picker
 
 __all__ = ["CLASSES", "FINISH_ITEMS", "OWN_FINISH", "PACKAGE", "Viewing", "attach", "copy_viewing", "detach",
@@ -131,13 +132,13 @@ def copy_viewing(source, target):
         setattr(target, name, getattr(source, name))
 
 
-class FacetFilmSettings(Viewing, bpy.types.PropertyGroup):
+class FacetFilmSettings(Viewing, LayersEditor, bpy.types.PropertyGroup):
     """Choices of the Facet & Film panels."""
 
     preset: preset_property()
 
 
-CLASSES = (FacetFilmSettings,)
+CLASSES = (FacetFilmLayer, FacetFilmSettings)
 
 
 def attach():

@@ -11,7 +11,7 @@ from ..bake.colour import lab
 from ..catalogue.presets import Preset
 from ..models.fitted import UP
 from ..models.making import ANY_RENDERER, made
-from .ball import displayed, exposure_of
+from .ball import below, displayed, exposure_of
 from .lights import HELD_OUT
 
 __all__ = ["ALIKE", "GOOD", "POOR", "Fit", "report_of"]
@@ -134,7 +134,7 @@ def report_of(measurement, form, p, brdf, ball, tried):
     reason = REASONS[_cause(ball, difference, exposed)] if mean > POOR else ""
     return Fit(
         measurement.name, measurement.title, measurement.form, form.model.name, form.name, parameters, mean,
-        _percentile(difference, ball.area), _kept(np.degrees(ball.theta[worst])), _kept(by_ring[worst]),
+        _kept(below(difference, ball.area)), _kept(np.degrees(ball.theta[worst])), _kept(by_ring[worst]),
         {formula: _kept(ball.mean(ball.differences(measured, form.standard(parameters, ball.v, ball.l, formula),
                                                    HELD_OUT))) for formula in FORMULAS},
         len(measurement.samples.v), measurement.rejected, reason, {name: _kept(x) for name, x in tried.items()},
@@ -144,13 +144,6 @@ def report_of(measurement, form, p, brdf, ball, tried):
 def _kept(x):
     """Four decimals: the last bits hang on the machine."""
     return round(float(x), 4)
-
-
-def _percentile(values, area, share=0.95):
-    """What a share of the area is below."""
-    order = np.argsort(values, axis=None)
-    place = np.searchsorted(np.cumsum(area.ravel()[order]), share)
-    return _kept(values.ravel()[order][min(place, values.size - 1)])
 
 
 def _cause(ball, difference, exposed):

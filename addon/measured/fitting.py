@@ -28,6 +28,8 @@ EXACT = 1e-9
 """Share of all that samples hold that a search leaves of them where they are the model's own."""
 WORTH_IT = 0.95
 """A form with more numbers is taken where it leaves less than this of the colour difference that is shown."""
+LEAST_PEAK = 0.05
+"""Of the other's peak of D; below, a highlight is gone."""
 NEWEST = "exact"
 """The conductor Fresnel of the renderer that it is shown by."""
 
@@ -67,14 +69,14 @@ def fit_steps(measured, *, fresnel=BEST, slopes=2, distribution="beckmann"):
     for i, form in enumerate(forms):
         found = yield from _within(_fitted(form, measurement, best), i / len(forms), 1.0 / len(forms))
         tried[names[i]] = found.difference
-        if best is None or found.shown < WORTH_IT * best.shown:
+        if best is None or found.is_clearly_closer(best):
             best = found
     return report_of(measurement, best.form, best.p, best.brdf, ball(*SHOWN_BALL), tried)
 
 
 class _Searched:
-    """A form, its numbers, the BRDF that it is held against, the mean colour difference from that, and what of it is
-    shown where that is more: by Standard.
+    """A form, its numbers, the BRDF that it is held against, and the mean colour difference from that: its own, and
+    what is shown where that is more, by Standard.
     """
 
     def __init__(self, form, p, brdf, image):
@@ -82,6 +84,11 @@ class _Searched:
         self.difference = image.difference(form.evaluate(p, image.v, image.l))
         standard = form.standard(form.checked(p), image.v, image.l, NEWEST)
         self.shown = max(self.difference, image.difference(standard))
+
+    def is_clearly_closer(self, other):
+        """Than one with fewer numbers, and not at the price of the gloss, which is little of a picture."""
+        keeps_gloss = self.form.peak(self.p) > LEAST_PEAK * other.form.peak(other.p)
+        return keeps_gloss and self.shown < WORTH_IT * other.shown
 
 
 def _within(steps, start, part):

@@ -69,11 +69,9 @@ class Form:
 
         kept  function of a number -> what is kept of it
         """
-        rows, (share, *pairs) = self._rows(p), p[3 + 3 * self.rows:]
-        m = np.exp([pairs[0], *pairs[1::2]])
-        w = np.exp([0.0, *pairs[2::2]])
+        rows, share, (m, w) = self._rows(p), p[3 + 3 * self.rows], self._slopes(p)
         order = np.argsort(m)
-        w = [kept(x) for x in (w / w.sum())[order[:-1]]]
+        w = [kept(x) for x in w[order[:-1]]]
         slopes = tuple(zip(map(kept, m[order]), (*w, kept(1.0 - sum(w)))))
         return {"diffuse": tuple(map(kept, p[:3])), "specular": kept(np.exp(share)), **self.fresnel(rows, kept),
                 **self.facets(slopes, kept)}
@@ -135,6 +133,17 @@ class Form:
             return None
         f0 = form.reflectance_of(form._rows(p))
         return np.clip(np.r_[p[:3], self.rows_of(f0).ravel(), p[3 + 3 * form.rows:]], self.low, self.high)
+
+    def peak(self, p):
+        """D of all slopes where facets lie flat, Σ w/m²."""
+        m, w = self._slopes(p)
+        return float(np.sum(w / (m * m)))
+
+    def _slopes(self, p):
+        """m and w of each slope, ``(S,)``; Σw = 1."""
+        pairs = p[4 + 3 * self.rows:]
+        w = np.exp([0.0, *pairs[2::2]])
+        return np.exp([pairs[0], *pairs[1::2]]), w / w.sum()
 
     def _rows(self, p):
         return p[3:3 + 3 * self.rows].reshape(-1, 3)

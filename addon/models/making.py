@@ -1,6 +1,6 @@
 """Makes records: of a preset or measurement, of another realisation, of the same measurement baked again."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from ..catalogue.resolving import resolve
@@ -17,7 +17,7 @@ USUAL = "usual"
 ANY_RENDERER = Renderer()
 """The exact formula and Rec.709: what Blender 5 has by default."""
 
-__all__ = ["USUAL", "exported", "made", "rebaked", "renewed", "switched"]
+__all__ = ["USUAL", "exported", "made", "of_other_words", "rebaked", "renewed", "switched"]
 
 
 def made(model: str | None = None, preset: Any = None, realisation: str = USUAL, renderer: Renderer = ANY_RENDERER,
@@ -100,6 +100,34 @@ def rebaked(record: Record, renderer: Renderer = ANY_RENDERER, viewing: Mapping[
 def _same(record, renderer):
     """The options that a record was baked with, in the renderer's space."""
     return {**record.viewing, "space": renderer.space}
+
+
+def of_other_words(record: Record, words: str, renderer: Renderer = ANY_RENDERER, *,
+                   progress: Callable[[float], Any] | None = None) -> Record:
+    """The Record made of something else, its model's parameter made_of; what else the user set stays where it can.
+
+    words     such as another stack of layers
+    progress  function that is told the share that is done, of what may take seconds
+
+    Raises FacetFilmError for words that cannot be made, and for a record of a model without such a parameter.
+
+    >>> film = of_other_words(made(preset="TiO2 0-200 nm / Ti", roughness=0.1), "SiO2 300-400 nm / Si")
+    >>> film.parameters.stack, film.parameters.thickness, film.parameters.roughness
+    ('SiO2 300-400 nm / Si', 350.0, 0.1)
+    """
+    model = named(record.model)
+    if not model.made_of:
+        raise FacetFilmError("{material} is not made of what a text says: name a material of another model.",
+                             material=record.title)
+    resolved = resolve(getattr(record.parameters.changed(**{model.made_of: words}), model.made_of))
+    options = _viewing(model, resolved, renderer, _same(record, renderer))
+    if model.work_ahead and progress:
+        model.work_ahead(resolved, options, progress)
+    baked = model.bake(resolved, options, record.realisation, renderer)
+    made_of = record.parameters.changed(**{model.made_of: baked.parameters[model.made_of]})
+    parameters = made_of.changed(**model.no_longer(made_of, baked))
+    found = record.changed(parameters=parameters, source=_source(resolved), viewing=options, baked=baked.facts)
+    return _with_group(found, model, baked.variant)
 
 
 def renewed(record: Record, renderer: Renderer = ANY_RENDERER) -> Record:

@@ -166,6 +166,10 @@ class Model:
                  has to be told, too
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
     picture       function(parameters, viewing options) -> the Picture of its pictured groups
+    work_ahead    function(resolved preset, viewing options, progress) that works out what takes long of a bake, telling
+                  progress the share that is done; None where nothing does
+    no_longer     function(parameters, Baked of other words) -> {name: value} of what the user set and those words do
+                  not have, such as a thickness beyond the new ones
     """
 
     package: str
@@ -195,6 +199,8 @@ class Model:
     sheet: Callable = lambda parameters: False
     made_of: str = ""
     picture: Callable | None = None
+    work_ahead: Callable | None = None
+    no_longer: Callable = lambda parameters, baked: {}
 
     @property
     def name(self):

@@ -14,15 +14,34 @@ distribution.
 
 from types import SimpleNamespace
 
-from ..operands import clip, dot, exp, maximum, minimum, normalize, sqrt, term, vector, widen, x_of, y_of, z_of
+from ..operands import (
+    clip,
+    dot,
+    exp,
+    less,
+    maximum,
+    minimum,
+    normalize,
+    rotate,
+    sqrt,
+    term,
+    vector,
+    where,
+    widen,
+    x_of,
+    y_of,
+    z_of,
+)
+from .directions import PI, frame_along
+from .slopes import along_across
 
-__all__ = ["mean_v_h", "spread_v_h", "two_looks", "tilts", "tilted_lobes", "ROUGHEST_FITTED"]
+__all__ = ["mean_v_h", "spread_v_h", "two_looks", "tilts", "seen_along", "tilted_lobes", "ROUGHEST_FITTED"]
 
 ROUGHEST_FITTED = 0.6
 """Above this slope mean and spread are those of this slope."""
 FADE, CAP, BEND = 2.0, 0.6, 0.2
 """Below N·V = FADE m the tilt fades, it moves slopes by no more than CAP m, and grows by a cube."""
-LEAST_SPREAD, LEAST_COLOUR, LEAST_SINE = 1e-4, 1e-3, 1e-3
+LEAST_SPREAD, LEAST_COLOUR, LEAST_SINE, LEAST_SINE2 = 1e-4, 1e-3, 1e-3, 1e-6
 """Keep denominators away from 0: of an m of nearly 0, of black, and of a view along the normal."""
 
 
@@ -107,12 +126,42 @@ def tilts(n_v, m, mean, half, reach):
     return clip((x + BEND * (x * x * x)) * widen(strength), -1.0 * most, most)
 
 
-def tilted_lobes(n, v, m, look):
+@term("m(V)")
+def seen_along(n, v, m, tangent, rotation, anisotropy):
+    """(slope in the plane of N and V, what a lobe's normal is tilted along) of facets that are stretched.
+
+    n, v        with N·V > 0
+    m           rms slope, ``(...)``
+    tangent     what the slopes are stretched along, turned by `rotation` about n
+    anisotropy  [0, 1); where it is 0 all that this adds to the nodes folds away
+
+    Slopes with the covariance Σ/2 on which exp(g V·H) is laid move by g Σ V/2: towards V no more than their own spread
+    there, and aside where they are stretched.  With V's part along the surface, V − (N·V) N, this is Σ V/m(V)², which
+    is that part itself where they are round.
+
+    >>> from addon.reflectance.directions import direction
+    >>> up, aside = direction(0.0, 0.0), direction(0.5, 0.0)
+    >>> seen = seen_along(up, aside, 0.2, direction(1.0, 0.0), 0.0, 0.6)
+    >>> round(float(seen[0]), 4), seen[1].round(3).tolist()
+    (0.2949, [0.479, 0.0, 0.0])
+    """
+    n_v = minimum(dot(n, v), 1.0)
+    t, b = frame_along(n, rotate(tangent, n, (2.0 * PI) * rotation))
+    along, across = along_across(m, anisotropy)
+    x, y = along * dot(v, t), across * dot(v, b)
+    m2 = (x * x + y * y + LEAST_SINE2 * (m * m)) / (1.0 - n_v * n_v + LEAST_SINE2)
+    stretched = widen(along * x / m2) * t + widen(across * y / m2) * b
+    is_elliptic = less(0.0, anisotropy)
+    return where(is_elliptic, sqrt(m2), m), where(widen(is_elliptic), stretched, v - widen(n_v) * n)
+
+
+def tilted_lobes(n, v, m, look, towards=None):
     """[(colour, normal), …]: the three Beckmann lobes whose sum is the Standard realisation of a film.
 
-    n, v  with N·V > 0
-    m     rms slope of each
-    look  function of cos θ -> colour of the film
+    n, v     with N·V > 0
+    m        rms slope of each, in the plane of N and V
+    look     function of cos θ -> colour of the film
+    towards  what they are tilted along, see :func:`seen_along`; by default V's part along the surface
 
     >>> from addon.reflectance.directions import direction
     >>> def red_face_on(c):
@@ -124,7 +173,7 @@ def tilted_lobes(n, v, m, look):
     n_v = minimum(dot(n, v), 1.0)
     film = two_looks(n_v, m, look)
     tilt = tilts(n_v, m, film.mean, film.half, film.reach)
-    towards = v - widen(n_v) * n
+    towards = v - widen(n_v) * n if towards is None else towards
     r, g, b = (part(film.mean) for part in (x_of, y_of, z_of))
     colours = (vector(r, 0.0, 0.0), vector(0.0, g, 0.0), vector(0.0, 0.0, b))
     return [(colour, normalize(n + widen(part(tilt)) * towards))

@@ -11,7 +11,10 @@ import pytest
 from addon import api
 from addon.blender import compat
 from addon.blender.datablocks import groups, materials, pictures
+from addon.catalogue import presets
 from addon.errors import FacetFilmError
+from addon.models.film.tables import table_of
+from addon.models.making import made
 from addon.verify import film_checks
 from tests.render import probes
 
@@ -61,6 +64,29 @@ np.save({str(picture)!r}, probes.render(bpy.context.scene))
     assert np.abs(np.load(picture) - before).max() < 1e-6
 
 
+def see_through():
+    """The presets that are seen through and absorb nothing."""
+    films = {name: made(preset=name).parameters for name in presets.of_model("film")}
+    return [name for name, film in films.items()
+            if film.see_through > 0.0 and not table_of(film.stack, {}).absorbs]
+
+
+@pytest.mark.parametrize("preset", see_through())
+def test_what_a_clear_film_reflects_and_lets_through_is_all_of_an_even_world(preset):
+    """One sheet at 45°: in a closed body light would go to and fro until its last bounce."""
+    scene = probes.empty_scene(16, samples=512, extent=0.5)
+    bpy.ops.mesh.primitive_plane_add(size=20.0, rotation=(0.0, np.pi / 4, 0.0))
+    bpy.context.object.data.materials.append(api.create_material(preset=preset))
+    probes.set_world(scene, 1.0)
+    np.testing.assert_allclose(probes.render(scene).mean(axis=(0, 1)), 1.0, atol=1e-3)
+
+
+def stand_in_of(tree):
+    """The group that EEVEE shows, within another one."""
+    nested = [node.node_tree for node in tree.nodes if node.bl_idname == "ShaderNodeGroup"]
+    return next(group for group in nested if groups.group_id(group) == "film_eevee")
+
+
 def test_films_of_one_stack_share_an_image_and_a_group():
     first, second, other = (api.create_material(preset=name) for name in (
         "anodised_titanium_blue", "anodised_titanium_gold", "heat_tinted_steel"))
@@ -70,7 +96,7 @@ def test_films_of_one_stack_share_an_image_and_a_group():
     assert pictures.image_in(trees[0]) != pictures.image_in(trees[2])
     for tree in trees:
         assert not groups.edited(tree)
-        stand_in = next(node.node_tree for node in tree.nodes if node.bl_idname == "ShaderNodeGroup")
+        stand_in = stand_in_of(tree)
         assert pictures.image_in(stand_in) == pictures.image_in(tree)
 
 
@@ -137,7 +163,7 @@ def test_eevee_and_cycles_agree_on_a_gradient():
     """Linear look-ups are off by 10 where the thickness changes from pixel to pixel."""
     scene, material = ball("film", stack=TITANIA, roughness=0.05, thickness_range=(20.0, 180.0), gradient=1.0)
     tree = materials.our_node(material).node_tree
-    eevee = next(node.node_tree for node in tree.nodes if node.bl_idname == "ShaderNodeGroup")
+    eevee = stand_in_of(tree)
     for group, filters in ((tree, {"Linear"}), (eevee, {"Closest"})):
         assert {node.interpolation for node in group.nodes if node.bl_idname == "ShaderNodeTexImage"} == filters
     cycles = probes.render(scene)

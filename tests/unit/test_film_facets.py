@@ -137,7 +137,8 @@ def test_a_record_has_the_worst_of_the_range(tables):
     table = film_table(parse("TiO2 60-120 nm / Ti", load), rows=32, columns=64)
     both = realisation_errors(table, 0.1, 2)
     ends = [standard_errors(table, 0.1, thickness) for thickness in (60.0, 120.0)]
-    assert both["standard"] == worst_of(ends) and both["reference"].sphere_mean < both["standard"].sphere_mean
+    assert both["standard"] == pytest.approx(worst_of(ends), abs=5e-3)  # whose spectra are at every nm
+    assert both["reference"].sphere_mean < both["standard"].sphere_mean
     one = film_table(table.stack.at(60.0))
     assert realisation_errors(one, 0.1)["standard"] == pytest.approx(standard_errors(one, 0.1, 60.0))
 

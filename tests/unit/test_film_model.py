@@ -6,10 +6,16 @@ import zlib
 import numpy as np
 import pytest
 
+from addon.bake.film_table import smallest_table
+from addon.bake.stack_notation import parse
+from addon.errors import FacetFilmError
+from addon.models.film import known
 from addon.models.film.parameters import Film
-from addon.models.film.tables import picture, table_of
-from addon.models.making import made
+from addon.models.film.tables import OF_METALS, picture, table_of
+from addon.models.making import made, of_other_words
 from addon.nodes.exr import LINES, exr_bytes
+from addon.spectra.optical_constants import load
+from tools import build_film_facts
 
 SOAP = Film(stack="soap 5-1000 nm / air", see_through=1.0)
 
@@ -52,6 +58,51 @@ def test_what_is_seen_through_has_what_is_absorbed_above_its_table():
     visor = Film(stack="Au 5-40 nm / 1.585", see_through=1.0)
     pixels = picture(visor, {}).make()[0]
     assert pixels[len(pixels) // 2:, :, :3].max() > 0.3
+
+
+def test_what_is_known_of_the_presets_is_what_is_found():
+    """films.table is of the presets and formulas of today: run tools/build_film_facts.py."""
+    found = build_film_facts.found()
+    assert list(known.tables()) == [row[0] for row in found["tables"]]
+    for stack, size, steps, errors in found["tables"]:
+        assert known.tables()[stack][:2] == (tuple(size), steps and tuple(steps)), stack
+        assert known.tables()[stack][2] == pytest.approx(errors, abs=2e-3)
+    assert list(known.errors()) == [row[:2] for row in found["errors"]]
+    for *key, now in found["errors"]:
+        before = known.errors()[tuple(key)]
+        assert before == {name: pytest.approx(values, abs=2e-3) for name, values in now.items()}
+
+
+def test_a_preset_takes_what_is_known_and_says_the_same():
+    taken = made(preset="heat_blued_steel").baked
+    table = smallest_table(parse("Fe3O4 0-120 nm / Fe", load), tolerance=OF_METALS)
+    assert taken["table"]["size"] == list(table.size) == [32, 128]
+    assert taken["table"]["delta_e_2000_max"] == pytest.approx(table.delta_e_2000_max, abs=1e-4)
+    np.testing.assert_allclose(table_of("Fe3O4 0-120 nm / Fe", {}).rgb, table.rgb, atol=1e-6)
+
+
+def test_other_words_keep_what_they_can():
+    film = made(preset="anodised_titanium", roughness=0.5)
+    same = of_other_words(film, "Nb2O5 0-300 nm / Nb")
+    assert same.parameters == film.parameters.changed(stack="Nb2O5 0-300 nm / Nb")
+    assert same.source.name == same.parameters.stack == same.baked["stack"]
+    beyond = of_other_words(film, "SiO2 300-400 nm / Si")
+    assert (beyond.parameters.thickness, beyond.parameters.thickness_range, beyond.parameters.roughness) == (
+        350.0, None, 0.5)
+    with pytest.raises(FacetFilmError, match="is not made of what a text says"):
+        of_other_words(made(preset="copper"), "SiO2 300-400 nm / Si")
+    with pytest.raises(FacetFilmError, match="At 'Foo 3 nm'"):
+        of_other_words(film, "Foo 3 nm / Si")
+
+
+def test_progress_is_told_once_while_a_table_is_made():
+    told = []
+    film = made(preset="anodised_titanium")
+    of_other_words(film, "Nb2O5 0-310 nm / Nb", progress=told.append)
+    assert told and told[-1] == pytest.approx(1.0)
+    count = len(told)
+    of_other_words(film, "Nb2O5 0-311 nm / Nb")
+    assert len(told) == count
 
 
 @pytest.mark.parametrize("viewing, outside", [({"medium": 1.333}, "1.333"), ({}, "air")])

@@ -12,7 +12,7 @@ from ...bake.srgb import encoded
 from ...models import named
 from ...models.making import made
 
-__all__ = ["SIZE", "ball", "plain", "strip"]
+__all__ = ["SIZE", "ball", "of_swatch", "plain", "strip"]
 
 SIZE = 64
 KEY, FILL = (-0.45, 0.65, 0.61), (0.75, 0.1, 0.65)
@@ -46,6 +46,12 @@ def strip(cos_theta, rgb, space="Rec.709"):
     c = np.cos(np.radians(np.linspace(0.0, 90.0, SIZE)))
     row = np.stack([np.interp(c, cos_theta, channel) for channel in np.transpose(rgb)], axis=-1)
     return _with_alpha(np.broadcast_to(_shown(row, space), (SIZE, SIZE, 3)))
+
+
+def of_swatch(rgb, space="Rec.709"):
+    """The colours of an addon.models.model.Swatch, its first row at the top, ``(SIZE, SIZE, 4)``."""
+    rows, columns = (np.linspace(0, size - 1, SIZE).round().astype(int) for size in rgb.shape[:2])
+    return _with_alpha(_shown(rgb[rows[::-1, None], columns], space))
 
 
 def plain(rgb, space="Rec.709"):

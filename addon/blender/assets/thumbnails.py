@@ -1,6 +1,6 @@
 """The small pictures of the presets, as icons of Blender's: shipped ones, or drawn where there is none."""
 
-__all__ = ["clear", "colour_icon", "preset_icon", "strip_icon"]
+__all__ = ["clear", "colour_icon", "drawn_icon", "preset_icon", "strip_icon"]
 
 _held = []
 
@@ -29,6 +29,11 @@ def strip_icon(cos_theta, rgb, space):
     from .pictures import strip
     return _icon(f"strip {hash((tuple(cos_theta), tuple(map(tuple, rgb)), space))}",
                  lambda: strip(cos_theta, rgb, space))
+
+
+def drawn_icon(key, draw):
+    """Icon number of what draw() gives, ``(rows, columns, 4)`` as addon.blender.assets.pictures draws; drawn once."""
+    return _icon(key, draw)
 
 
 def clear():

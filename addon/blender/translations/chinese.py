@@ -67,10 +67,14 @@ TEXTS = {
         "活动槽",
     "Adapt White":
         "适应白点",
+    "Add":
+        "添加",
     "Add Asset Library":
         "添加资产库",
     "Add Facet & Film Group":
         "添加 Facet & Film 节点组",
+    "Add a layer below the chosen one":
+        "在所选膜层之下添加一层",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "添加 Facet & Film 节点组；文件中已有的会被复用",
     "Add the materials and node groups to the Asset Browser, as a library of your preferences":
@@ -127,6 +131,8 @@ TEXTS = {
         "轴",
     "Azimuth":
         "方位角",
+    "Bake":
+        "烘焙",
     "Bake Spectral Preset":
         "烘焙光谱预设",
     "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
@@ -145,6 +151,8 @@ TEXTS = {
         "将预设烘焙到选中的组节点；已有连线保留",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "按上方选择的光源与工作空间重新烘焙此文件的所有实测材质。按 Esc 停止，且不作任何更改",
+    "Bake these layers into the material: its roughness, its textures and what else you set stay":
+        "将这些膜层烘焙到材质中：粗糙度、纹理及其他设置保持不变",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "按此处选择的光源与工作空间重新烘焙该材质的测量数据；其他设置保留",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -180,6 +188,12 @@ TEXTS = {
         "柯西 b",
     "Cauchy c":
         "柯西 c",
+    "Change":
+        "更改",
+    "Change Layers":
+        "更改膜层",
+    "Change the list of layers":
+        "更改膜层列表",
     "Check":
         "核对",
     "Check Against a Measurement":
@@ -190,6 +204,8 @@ TEXTS = {
         "选择文件：此处显示它被读作什么",
     "Choose a material by its picture, above":
         "请在上方按图片选择材质",
+    "Choose a material that is made of layers first, such as anodised titanium":
+        "请先选择由膜层构成的材质，例如阳极氧化钛",
     "Citation":
         "引文",
     "Clean and fast, on every device and in EEVEE: the one to take first":
@@ -322,6 +338,8 @@ TEXTS = {
         "薄膜（标准）",
     "Film Thickness":
         "薄膜厚度",
+    "Films from the outside in":
+        "由外向内的膜层",
     "Films of measured layers, at the angle of every facet: slower and noisier, to compare with":
         "由实测膜层组成的薄膜，按每个微面的角度计算：较慢且噪点较多，用于对照",
     "Films of measured layers, clean and fast: the one to take first":
@@ -406,6 +424,8 @@ TEXTS = {
         "放入每个所选物体的每个材质槽",
     "Into the active material slot of every selected object":
         "放入每个所选物体的活动材质槽",
+    "Inwards":
+        "向内",
     "Keep colours outside of the gamut":
         "保留色域外的颜色",
     "Keep it among your own presets, with what it was fitted from":
@@ -414,6 +434,12 @@ TEXTS = {
         "大视场",
     "Last Thickness":
         "末端厚度",
+    "Layer":
+        "膜层",
+    "Layer From a File":
+        "来自文件的膜层",
+    "Layer From a File...":
+        "来自文件的膜层…",
     "Layer Thickness":
         "层厚度",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
@@ -424,6 +450,12 @@ TEXTS = {
         "Layered RGB（参考）",
     "Layered RGB Standard":
         "Layered RGB（标准）",
+    "Layers":
+        "膜层",
+    "Layers from the outside in, such as 'SiO2 0-1000 nm / Si'":
+        "由外向内的膜层，例如 'SiO2 0-1000 nm / Si'",
+    "Layers in Words":
+        "膜层文字表示",
     "Least Thickness":
         "最小厚度",
     "Leave":
@@ -473,6 +505,10 @@ TEXTS = {
         "金属、塑料与石材，干净快速，适用于 Cycles 和 EEVEE：首选",
     "Model":
         "模型",
+    "Move the chosen layer inwards":
+        "将所选膜层向内移动",
+    "Move the chosen layer outwards":
+        "将所选膜层向外移动",
     "Name a saved preset, and a new name with at least one letter":
         "请指定已保存的预设和至少含一个字母的新名称",
     "Nearest":
@@ -515,6 +551,8 @@ TEXTS = {
         "外部折射率",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "色域外：{:s}，通道最多改变 {:.3f}",
+    "Outwards":
+        "向外",
     "Parallel streaks, and highlights drawn out across them":
         "平行纹路，高光横向拉长",
     "Parallel streaks, for Roughness, Normal and Tangent":
@@ -525,6 +563,8 @@ TEXTS = {
         "粘贴测量数据",
     "Pits":
         "凹坑",
+    "Place":
+        "位置",
     "Polished":
         "抛光",
     "Preset":
@@ -571,8 +611,12 @@ TEXTS = {
         "红、绿、蓝的折射率与消光系数",
     "Refractive index for red, green and blue":
         "红、绿、蓝的折射率",
+    "Remove":
+        "移除",
     "Remove Asset Library":
         "移除资产库",
+    "Remove the chosen layer":
+        "移除所选膜层",
     "Rename Preset":
         "重命名预设",
     "Render every model and realisation in a second Blender, compare the pixels with the published formulas, and open the report. Takes one to five minutes; Esc stops it":
@@ -687,10 +731,16 @@ TEXTS = {
         "环形纹路，如车床加工或锅底",
     "Streaks in circles, for Roughness, Normal and Tangent":
         "环形纹路，用于粗糙度、法线和切线",
+    "Substrate":
+        "基底",
+    "Substrate From a File...":
+        "来自文件的基底…",
     "Switch Realisation":
         "切换实现方式",
     "Table":
         "表格",
+    "Take a measurement of your own as a layer: a file of n and k":
+        "以您自己的测量作为膜层：含 n 和 k 的文件",
     "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
         "从资产浏览器中移除该库以及可供选择的图片；材质保留",
     "Tangent":
@@ -705,6 +755,8 @@ TEXTS = {
         "纹理占比",
     "The asset library {:s} was added to your preferences; the extension's own take it out again":
         "资产库 {:s} 已添加到偏好设置；可在扩展的偏好设置中移除",
+    "The chosen layer":
+        "所选膜层",
     "The coarse, dull skin of a sand mould, with pits":
         "砂型铸造的粗糙暗淡表皮，带凹坑",
     "The colour inside that looks most alike, by CIEDE2000":
@@ -722,6 +774,8 @@ TEXTS = {
         "各薄膜的 n 乘厚度合计 {optical:.0f} nm，而干涉只计算到 {most:.0f}；请减小厚度，或将厚层作为底层。",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
+    "The greatest thickness in nanometres":
+        "最大厚度，单位纳米",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
     "The library is in your preferences already":
@@ -756,6 +810,8 @@ TEXTS = {
         "Granier 与 Heidrich 2003 的论文公式本身：较慢且噪点较多，用于对照",
     "The rough finish of the paper's copper vase":
         "论文中铜花瓶的粗糙表面",
+    "The same layers as one line, such as 'SiO2 0-1000 nm / Si': it can be copied and pasted":
+        "同样的膜层写成一行，例如 'SiO2 0-1000 nm / Si'：可复制和粘贴",
     "The scene-linear space of this file":
         "此文件的场景线性空间",
     "The scene-linear space of this file has no three primaries; choose another OpenColorIO "
@@ -771,6 +827,8 @@ TEXTS = {
         "其余选项中最简单且没有其他明显更接近的一种",
     "The skin of a sand mould, for Roughness and Normal":
         "砂型表皮，用于粗糙度和法线",
+    "The thickness is a range, from which the material's own, a texture or a gradient take theirs":
+        "厚度为一个范围，材质自身、纹理或渐变从中取值",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "厚度须在层堆给定的 {low:g} 到 {high:g} nm 之间；现为 {given:g}。",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -795,6 +853,8 @@ TEXTS = {
         "随噪波、渐变或纹理变化的厚度（纳米）",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "随表面变化的厚度（纳米），以及随之倾斜的下层法线",
+    "Thickness in nanometres; where it varies, the least":
+        "厚度，单位纳米；可变时为最小值",
     "Thin Walled":
         "薄壁",
     "This Blender is built without OSL: take Reference or Standard, which render the same material":
@@ -828,6 +888,8 @@ TEXTS = {
         "更新材质",
     "Usual":
         "常用",
+    "Varies":
+        "可变",
     "Vector":
         "矢量",
     "Verdict":
@@ -856,11 +918,19 @@ TEXTS = {
         "权重 3",
     "Weight 4":
         "权重 4",
+    "What is below all layers":
+        "所有膜层之下的材料",
+    "What is below all layers, without a thickness: a metal, a glass, air for a soap film":
+        "所有膜层之下的材料，无厚度：金属、玻璃，肥皂膜则为空气",
     "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
     "air or water.":
         "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
     "What is plugged into {:s} stays behind":
         "连接到 {:s} 的内容不会导出",
+    "What the layer is of: a formula such as SiO2, a preset, a dataset, a file, or an index such as 1.38 or 2.5+0.1i. Type to search":
+        "膜层的材料：化学式如 SiO2、预设、数据集、文件，或折射率如 1.38 或 2.5+0.1i。输入即可搜索",
+    "What the layers are in: air, or something clear such as water":
+        "膜层所处的介质：空气，或水等透明物质",
     "What the reflectance F may be":
         "反射率 F 的形式",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
@@ -873,6 +943,8 @@ TEXTS = {
         "比较的内容",
     "What to do with colours that the working space cannot hold":
         "如何处理工作空间无法容纳的颜色",
+    "What to do with the list":
+        "对列表的操作",
     "What to render the probes on":
         "用于渲染测试样本的设备",
     "What to write":
@@ -885,6 +957,8 @@ TEXTS = {
         "在哪里找到",
     "Which group to add":
         "要添加的组",
+    "Which layer is of it":
+        "由其构成的膜层",
     "Which material to apply":
         "要应用的材质",
     "Width":
@@ -1130,6 +1204,8 @@ TEXTS = {
         "{material} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
+    "{material} is not made of what a text says: name a material of another model.":
+        "{material} 不是由文字描述构成的：请指定其他模型的材质。",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
     "{name} must be a text, not {value!r}.":

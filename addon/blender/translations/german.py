@@ -69,10 +69,14 @@ TEXTS = {
         "Aktiver Slot",
     "Adapt White":
         "Weiß anpassen",
+    "Add":
+        "Hinzufügen",
     "Add Asset Library":
         "Asset-Bibliothek hinzufügen",
     "Add Facet & Film Group":
         "Gruppe von Facet & Film hinzufügen",
+    "Add a layer below the chosen one":
+        "Eine Schicht unter der gewählten hinzufügen",
     "Add a node group of Facet & Film; one that the file has already is used again":
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
     "Add the materials and node groups to the Asset Browser, as a library of your preferences":
@@ -131,6 +135,8 @@ TEXTS = {
         "Achse",
     "Azimuth":
         "Azimut",
+    "Bake":
+        "Backen",
     "Bake Spectral Preset":
         "Spektrale Voreinstellung backen",
     "Bake a material of the catalogue or a dataset, in the light chosen here, and put it on the selected objects":
@@ -150,6 +156,8 @@ TEXTS = {
         "Backt eine Voreinstellung in den ausgewählten Gruppen-Node; was eingesteckt ist, bleibt",
     "Bake every measured material of this file again, in the light and working space chosen above. Esc stops it, and then nothing is changed":
         "Backt jedes gemessene Material dieser Datei neu, im oben gewählten Licht und Arbeitsfarbraum. Esc bricht ab, dann ändert sich nichts",
+    "Bake these layers into the material: its roughness, its textures and what else you set stay":
+        "Diese Schichten in das Material backen: Rauheit, Texturen und was sonst eingestellt ist, bleiben",
     "Bake this material's measurement again in the light and working space chosen here; what else you set stays":
         "Backt die Messung dieses Materials neu, im hier gewählten Licht und Arbeitsfarbraum; was sonst eingestellt ist, bleibt",
     "Baking {:s}, {:d} more   (Esc stops)":
@@ -187,6 +195,12 @@ TEXTS = {
         "Cauchy b",
     "Cauchy c":
         "Cauchy c",
+    "Change":
+        "Änderung",
+    "Change Layers":
+        "Schichten ändern",
+    "Change the list of layers":
+        "Die Liste der Schichten ändern",
     "Check":
         "Prüfen",
     "Check Against a Measurement":
@@ -197,6 +211,8 @@ TEXTS = {
         "Eine Datei wählen: Hier steht, als was sie gelesen wird",
     "Choose a material by its picture, above":
         "Oben ein Material nach seinem Bild auswählen",
+    "Choose a material that is made of layers first, such as anodised titanium":
+        "Zuerst ein Material aus Schichten wählen, etwa eloxiertes Titan",
     "Citation":
         "Quelle",
     "Clean and fast, on every device and in EEVEE: the one to take first":
@@ -329,6 +345,8 @@ TEXTS = {
         "Film, Standard",
     "Film Thickness":
         "Filmdicke",
+    "Films from the outside in":
+        "Schichten von außen nach innen",
     "Films of measured layers, at the angle of every facet: slower and noisier, to compare with":
         "Stapel gemessener dünner Schichten, im Winkel jeder Facette: langsamer und mit mehr Rauschen, zum Vergleich",
     "Films of measured layers, clean and fast: the one to take first":
@@ -413,6 +431,8 @@ TEXTS = {
         "In jeden Materialslot jedes gewählten Objekts",
     "Into the active material slot of every selected object":
         "In den aktiven Materialslot jedes gewählten Objekts",
+    "Inwards":
+        "Nach innen",
     "Keep colours outside of the gamut":
         "Behält Farben außerhalb des Farbumfangs",
     "Keep it among your own presets, with what it was fitted from":
@@ -421,6 +441,12 @@ TEXTS = {
         "Große Sehfelder",
     "Last Thickness":
         "Letzte Dicke",
+    "Layer":
+        "Schicht",
+    "Layer From a File":
+        "Schicht aus einer Datei",
+    "Layer From a File...":
+        "Schicht aus einer Datei …",
     "Layer Thickness":
         "Schichtdicke",
     "Layer {place} of a stack needs n above 0 and k of at least 0 at every wavelength.":
@@ -431,6 +457,12 @@ TEXTS = {
         "Layered RGB, Referenz",
     "Layered RGB Standard":
         "Layered RGB, Standard",
+    "Layers":
+        "Schichten",
+    "Layers from the outside in, such as 'SiO2 0-1000 nm / Si'":
+        "Schichten von außen nach innen, etwa 'SiO2 0-1000 nm / Si'",
+    "Layers in Words":
+        "Schichten in Worten",
     "Least Thickness":
         "Kleinste Dicke",
     "Leave":
@@ -483,6 +515,10 @@ TEXTS = {
         "Metalle, Kunststoffe und Stein, rauscharm und schnell, in Cycles und in EEVEE: die erste Wahl",
     "Model":
         "Modell",
+    "Move the chosen layer inwards":
+        "Die gewählte Schicht nach innen schieben",
+    "Move the chosen layer outwards":
+        "Die gewählte Schicht nach außen schieben",
     "Name a saved preset, and a new name with at least one letter":
         "Eine gespeicherte Voreinstellung nennen und einen neuen Namen mit mindestens einem Buchstaben",
     "Nearest":
@@ -527,6 +563,8 @@ TEXTS = {
         "Brechzahl außen",
     "Outside: {:s}, channels moved by up to {:.3f}":
         "Außerhalb: {:s}, Kanäle um bis zu {:.3f} verschoben",
+    "Outwards":
+        "Nach außen",
     "Parallel streaks, and highlights drawn out across them":
         "Parallele Striche, und Glanzlichter quer zu ihnen gezogen",
     "Parallel streaks, for Roughness, Normal and Tangent":
@@ -537,6 +575,8 @@ TEXTS = {
         "Messung einfügen",
     "Pits":
         "Löcher",
+    "Place":
+        "Ort",
     "Polished":
         "Poliert",
     "Preset":
@@ -584,8 +624,12 @@ TEXTS = {
         "Brechungsindex und Extinktion für Rot, Grün und Blau",
     "Refractive index for red, green and blue":
         "Brechungsindex für Rot, Grün und Blau",
+    "Remove":
+        "Entfernen",
     "Remove Asset Library":
         "Asset-Bibliothek entfernen",
+    "Remove the chosen layer":
+        "Die gewählte Schicht entfernen",
     "Rename Preset":
         "Voreinstellung umbenennen",
     "Render every model and realisation in a second Blender, compare the pixels with the published formulas, and open the report. Takes one to five minutes; Esc stops it":
@@ -700,10 +744,16 @@ TEXTS = {
         "Striche in Kreisen, wie von der Drehbank oder auf einem Topfboden",
     "Streaks in circles, for Roughness, Normal and Tangent":
         "Striche in Kreisen, für Rauheit, Normale und Tangente",
+    "Substrate":
+        "Träger",
+    "Substrate From a File...":
+        "Träger aus einer Datei …",
     "Switch Realisation":
         "Umsetzung wechseln",
     "Table":
         "Tabelle",
+    "Take a measurement of your own as a layer: a file of n and k":
+        "Eine eigene Messung als Schicht nehmen: eine Datei mit n und k",
     "Take the library off the Asset Browser again, and with it the pictures to choose from; materials stay":
         "Nimmt die Bibliothek wieder aus dem Asset-Browser und mit ihr die Bilder zum Auswählen; Materialien bleiben",
     "Tangent":
@@ -718,6 +768,8 @@ TEXTS = {
         "Texturanteil",
     "The asset library {:s} was added to your preferences; the extension's own take it out again":
         "Die Asset-Bibliothek {:s} steht jetzt in den Einstellungen; die der Erweiterung nehmen sie wieder heraus",
+    "The chosen layer":
+        "Die gewählte Schicht",
     "The coarse, dull skin of a sand mould, with pits":
         "Die grobe, matte Haut einer Sandform, mit Löchern",
     "The colour inside that looks most alike, by CIEDE2000":
@@ -736,6 +788,8 @@ TEXTS = {
         "gerechnet; dünner machen, oder das Dicke als unterste Lage nehmen.",
     "The folder of {file!r} does not exist; make it first, or name another.":
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
+    "The greatest thickness in nanometres":
+        "Die größte Dicke in Nanometern",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
     "The library is in your preferences already":
@@ -772,6 +826,8 @@ TEXTS = {
         "Die veröffentlichte Formel von Granier und Heidrich 2003 selbst: langsamer und mit mehr Rauschen, zum Vergleich",
     "The rough finish of the paper's copper vase":
         "Die raue Oberfläche der Kupfervase aus der Veröffentlichung",
+    "The same layers as one line, such as 'SiO2 0-1000 nm / Si': it can be copied and pasted":
+        "Dieselben Schichten als eine Zeile, etwa 'SiO2 0-1000 nm / Si': sie lässt sich kopieren und einfügen",
     "The scene-linear space of this file":
         "Der szenenlineare Farbraum dieser Datei",
     "The scene-linear space of this file has no three primaries; choose another OpenColorIO "
@@ -788,6 +844,8 @@ TEXTS = {
         "Die einfachste der übrigen, der keine andere deutlich näher kommt",
     "The skin of a sand mould, for Roughness and Normal":
         "Die Haut einer Sandform, für Rauheit und Normale",
+    "The thickness is a range, from which the material's own, a texture or a gradient take theirs":
+        "Die Dicke ist ein Bereich, aus dem die des Materials, einer Textur oder eines Verlaufs stammt",
     "The thickness must be from {low:g} to {high:g} nm, as the stack says; it is {given:g}.":
         "Die Dicke muss von {low:g} bis {high:g} nm reichen, wie der Stapel sagt; sie ist {given:g}.",
     "The thickness of a film must be at least 0 nm; that of layer {place} is {thickness:g}.":
@@ -812,6 +870,8 @@ TEXTS = {
         "Dicke in Nanometern, die durch Rauschen, einen Verlauf oder eine Textur wechselt",
     "Thickness in nanometres that varies over the surface, and the lower normal tilted along it":
         "Dicke in Nanometern, die über die Fläche wechselt, und die danach geneigte untere Normale",
+    "Thickness in nanometres; where it varies, the least":
+        "Dicke in Nanometern; wo sie veränderlich ist, die kleinste",
     "Thin Walled":
         "Dünnwandig",
     "This Blender is built without OSL: take Reference or Standard, which render the same material":
@@ -847,6 +907,8 @@ TEXTS = {
         "Materialien aktualisieren",
     "Usual":
         "Üblich",
+    "Varies":
+        "Veränderlich",
     "Vector":
         "Vektor",
     "Verdict":
@@ -875,12 +937,21 @@ TEXTS = {
         "Gewicht 3",
     "Weight 4":
         "Gewicht 4",
+    "What is below all layers":
+        "Was unter allen Schichten liegt",
+    "What is below all layers, without a thickness: a metal, a glass, air for a soap film":
+        "Was unter allen Schichten liegt, ohne Dicke: ein Metall, ein Glas, Luft bei einer Seifenhaut",
     "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
     "air or water.":
         "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas Klares "
         "nennen, etwa Luft oder Wasser.",
     "What is plugged into {:s} stays behind":
         "Was an {:s} angeschlossen ist, bleibt zurück",
+    "What the layer is of: a formula such as SiO2, a preset, a dataset, a file, or an index such as 1.38 or 2.5+0.1i. Type to search":
+        "Woraus die Schicht ist: eine Formel wie SiO2, eine Voreinstellung, ein Datensatz, eine Datei oder "
+        "eine Brechzahl wie 1.38 oder 2.5+0.1i. Zum Suchen tippen",
+    "What the layers are in: air, or something clear such as water":
+        "Worin die Schichten sind: Luft oder etwas Klares wie Wasser",
     "What the reflectance F may be":
         "Was der Reflexionsgrad F sein darf",
     "What the surface is in: air, an index such as 1.33, or a clear material such as water":
@@ -893,6 +964,8 @@ TEXTS = {
         "Was verglichen wird",
     "What to do with colours that the working space cannot hold":
         "Was mit Farben geschieht, die der Arbeitsfarbraum nicht fasst",
+    "What to do with the list":
+        "Was mit der Liste geschieht",
     "What to render the probes on":
         "Worauf die Proben gerendert werden",
     "What to write":
@@ -905,6 +978,8 @@ TEXTS = {
         "Wo es zu finden ist",
     "Which group to add":
         "Welche Gruppe hinzugefügt wird",
+    "Which layer is of it":
+        "Welche Schicht daraus ist",
     "Which material to apply":
         "Welches Material angewandt wird",
     "Width":
@@ -1149,6 +1224,8 @@ TEXTS = {
         "{material} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
+    "{material} is not made of what a text says: name a material of another model.":
+        "{material} besteht nicht aus dem, was ein Text sagt: ein Material eines anderen Modells nennen.",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
     "{name} must be a text, not {value!r}.":

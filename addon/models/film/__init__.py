@@ -6,9 +6,9 @@ from .parameters import ANODISING_GROUP, HEAT_TINT_GROUP, THICKNESS_GROUP, Film
 __all__ = ["MODEL"]
 
 
-def _evaluate(parameters, n, v, l):
+def _evaluate(parameters, n, v, l, tangent=None):
     from .formulas import evaluate
-    return evaluate(parameters, n, v, l)
+    return evaluate(parameters, n, v, l, tangent)
 
 
 def _bake(resolved, viewing, realisation, renderer):
@@ -19,6 +19,16 @@ def _bake(resolved, viewing, realisation, renderer):
 def _look(parameters, place=None):
     from .baking import look
     return look(parameters, place)
+
+
+def _work_ahead(resolved, viewing, progress):
+    from .tables import table_of
+    table_of(resolved.preset.parameters["stack"], viewing, progress=progress)
+
+
+def _no_longer(parameters, baked):
+    from .baking import no_longer
+    return no_longer(parameters, baked)
 
 
 def _picture(parameters, viewing):
@@ -59,13 +69,13 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Standard", 4, "fast.build",
+        Group("film_fast", "Film Standard", 5, "fast.build",
               "Films of measured layers, clean and fast: the one to take first",
               stand_in="film_eevee", pictured=True),
-        Group("film_exact", "Film Reference", 5, "exact.build",
+        Group("film_exact", "Film Reference", 6, "exact.build",
               "Films of measured layers, at the angle of every facet: slower and noisier, to compare with",
               stand_in="film_eevee", pictured=True),
-        Group("film_eevee", "Film EEVEE", 4, "fast.build_eevee",
+        Group("film_eevee", "Film EEVEE", 5, "fast.build_eevee",
               "Stacks of films by one native closure, for EEVEE", in_menu=False, pictured=True),
         Group(THICKNESS_GROUP, "Film Thickness", 1, "thickness.build",
               "Thickness in nanometres that varies by noise, a gradient or a texture"),
@@ -93,4 +103,6 @@ MODEL = Model(
     sheet=lambda parameters: parameters.see_through > 0.0,
     made_of="stack",
     picture=_picture,
+    work_ahead=_work_ahead,
+    no_longer=_no_longer,
 )

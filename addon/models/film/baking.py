@@ -5,18 +5,19 @@ import functools
 import numpy as np
 
 from ...bake.film_errors import realisation_errors
+from ...bake.reflected import Viewing
 from ..model import Baked, Look
+from . import known
 from .formulas import slope
 from .parameters import Film
-from .tables import table_of
+from .tables import colour_of, table_of
 
-__all__ = ["bake_for", "facts_of", "look"]
+__all__ = ["COUNT", "LEAST_SLOPE", "bake_for", "facts_of", "look", "no_longer"]
 
 COUNT = 3
 """Thicknesses that the realisations' errors are worked out at."""
-CLEAR = 1e-3
-"""Extinction up to which what is below a stack is clear."""
-OF_REALISATIONS = {"fast": "standard", "exact": "reference"}
+LEAST_SLOPE = 0.01
+"""That errors are worked out at; below it films are mirrors."""
 
 
 def bake_for(resolved, viewing):
@@ -38,7 +39,7 @@ def bake_for(resolved, viewing):
 def facts_of(preset, parameters, table):
     """All that was baked, ready for JSON."""
     m = float(slope(parameters.roughness))
-    errors = {name: errors._asdict() for name, errors in _errors_of(table, max(m, 0.01)).items()}
+    errors = {name: errors._asdict() for name, errors in _errors_of(table, max(m, LEAST_SLOPE)).items()}
     return {"name": preset.name, "title": preset.title, "kind": preset.kind,
             "note": " ".join(filter(None, (preset.note, preset.estimated))) or table.said(),
             **table.to_dict(), "slope": m, "realisations": errors}
@@ -47,7 +48,22 @@ def facts_of(preset, parameters, table):
 @functools.lru_cache(maxsize=16)
 def _errors_of(table, m):
     """The realisations' errors of a table, which is the same object for the same stack while it is kept."""
-    return realisation_errors(table, m, COUNT)
+    of_presets = known.errors().get((table.text, round(m, 6))) if table.viewing == Viewing() else None
+    return of_presets or realisation_errors(table, m, COUNT)
+
+
+def no_longer(parameters, baked):
+    """{name: value} of thicknesses that the stack of a Baked does not have: those that it is made with, in their place.
+
+    >>> from .parameters import Film as Held
+    >>> no_longer(Held(thickness=60.0), Baked({"thickness": 350.0}, {"table": {"thickness_range_nm": (300.0, 400.0)}}))
+    {'thickness': 350.0}
+    """
+    low, high = baked.facts["table"].get("thickness_range_nm", (0.0, 0.0))
+    ends = parameters.thickness_range or (parameters.thickness, parameters.thickness)
+    if low <= ends[0] and ends[1] <= high:
+        return {}
+    return {"thickness": baked.parameters.get("thickness", 0.5 * (low + high))}
 
 
 def look(parameters, place=None):
@@ -62,6 +78,7 @@ def look(parameters, place=None):
         x, y, z = place
         noise = 0.5 + 0.5 * np.sin(4.0 * x + 2.0 * np.sin(3.0 * y) + 2.0 * z)
         share, cosine = noise + p.gradient * (0.5 - 0.5 * y - noise), np.clip(z, 0.0, 1.0)
-    colour = table_of(p.stack, {}).at(cosine, least + (greatest - least) * share)
-    diffuse = (1.0 - p.specular) * np.array(p.diffuse)
+    thickness = least + (greatest - least) * share
+    colour = colour_of(p.stack, thickness) if place is None else table_of(p.stack, {}).at(cosine, thickness)
+    colour, diffuse = colour * np.array(p.tint), (1.0 - p.specular) * np.array(p.tint) * np.array(p.diffuse)
     return Look(p.specular * colour + diffuse, colour, p.specular, float(slope(p.roughness)), diffuse)

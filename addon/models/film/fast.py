@@ -5,7 +5,7 @@ that V sees: see addon.reflectance.film_facets.
 """
 
 from ...operands import sqrt
-from ...reflectance.film_facets import tilted_lobes, two_looks
+from ...reflectance.film_facets import seen_along, tilted_lobes, two_looks
 from .surface import Surface
 
 __all__ = ["build", "build_eevee"]
@@ -14,24 +14,26 @@ __all__ = ["build", "build_eevee"]
 def build(builder):
     """Build the group."""
     surface = Surface(builder, "fast")
+    m, first = _lobes(surface, surface.m, surface.sockets.roughness)
     with builder.frame("Slope 2"):
-        second = _lobes(surface, surface.second, sqrt(surface.second))
-    film = surface.mixed(_lobes(surface, surface.m, surface.sockets.roughness), second)
-    reflected = two_looks(surface.n_v, surface.m, surface.look).mean
-    builder.output("BSDF", surface.closures(film, reflected=reflected))
+        _, second = _lobes(surface, surface.second, sqrt(surface.second))
+    reflected = two_looks(surface.n_v, m, surface.look).mean
+    builder.output("BSDF", surface.closures(surface.mixed(first, second), reflected=reflected))
 
 
 def _lobes(surface, m, roughness):
-    """A lobe for each channel."""
-    return [surface.glossy(colour, normal, roughness)
-            for colour, normal in tilted_lobes(surface.n, surface.v, m, surface.look)]
+    """(slope towards V, a lobe for each channel) of a slope."""
+    s = surface.sockets
+    seen, towards = seen_along(surface.n, surface.v, m, surface.tangent, s.rotation, s.anisotropy)
+    lobes = tilted_lobes(surface.n, surface.v, seen, surface.look, towards)
+    return seen, [surface.lobe(colour, normal, roughness) for colour, normal in lobes]
 
 
 def build_eevee(builder):
     """Build the group for EEVEE, which draws a lobe at random of several: one lobe, of their mean colour."""
     surface = Surface(builder, "fast", closest=True)
     with builder.frame("Rms slope"):
-        both = surface.sockets.roughness * sqrt(sqrt(surface.mean_square()))
-        m = surface.m * sqrt(surface.mean_square())
+        ratio = sqrt(surface.mean_square())
+        m, roughness = surface.m * ratio, surface.sockets.roughness * sqrt(ratio)
     colour = two_looks(surface.n_v, m, surface.look).mean
-    builder.output("BSDF", surface.closures(surface.glossy(colour, surface.n, both), reflected=colour))
+    builder.output("BSDF", surface.closures(surface.lobe(colour, surface.n, roughness), reflected=colour))

@@ -39,10 +39,10 @@ def standin(record):
         return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=film[1] if film else 1.5, transmission=1.0,
                        thin_walled=True, film=film, lost=(LOST["field"],) if p.thickness_range else ())
     table = table_of(p.stack, record.viewing)
-    mirror = np.clip(table.at(COS_THETA, _thickness(p)), 0.0, 1.0)
-    seen = p.specular * mirror + (1.0 - p.specular) * np.array(p.diffuse)
+    mirror, tint = np.clip(table.at(COS_THETA, _thickness(p)), 0.0, 1.0), np.array(p.tint)
+    seen = tint * (p.specular * mirror + (1.0 - p.specular) * np.array(p.diffuse))
     lost = (LOST["film"], LOST["field"]) if p.thickness_range else (LOST["film"],)
-    surface = {"roughness": p.roughness, "lost": lost}
+    surface = {"roughness": p.roughness, "anisotropy": p.anisotropy, "rotation": p.rotation, "lost": lost}
     if p.specular < 1.0:
         fit = fit_metal(seen, p.specular)
         return Standin(fit.base, fit.beside[0], specular=0.0, delta_e=(fit.delta_e_mean,) * 2, **surface)

@@ -4,11 +4,11 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from ...operands import clip, maximum
-from ...reflectance.directions import half_vector
+from ...operands import clip, dot, maximum, rotate
+from ...reflectance.directions import PI, around_z, frame_along, half_vector
 from ...reflectance.film_facets import tilted_lobes
 from ...reflectance.masking import smith_beckmann, v_cavity
-from ...reflectance.slopes import beckmann
+from ...reflectance.slopes import along_across, beckmann, elliptic_beckmann
 from .tables import table_of
 
 __all__ = ["SMOOTHEST", "evaluate", "second_slope", "slope", "slopes_of", "standard"]
@@ -30,8 +30,8 @@ def slope(roughness):
 def second_slope(m, ratio):
     """Rms slope of the second slope, ``(...)``: a multiple of the first's, at most 1.
 
-    >>> float(second_slope(0.2, 3.0)), float(second_slope(0.5, 3.0))
-    (0.6000000000000001, 1.0)
+    >>> float(second_slope(0.25, 2.0)), float(second_slope(0.5, 3.0))
+    (0.5, 1.0)
     """
     return clip(m * ratio, SMOOTHEST, 1.0)
 
@@ -47,8 +47,10 @@ def slopes_of(parameters):
     return ((m, 1.0),) if w == 0.0 else ((m, 1.0 - w), (float(second_slope(m, parameters.second_ratio)), w))
 
 
-def evaluate(parameters, n, v, l):
+def evaluate(parameters, n, v, l, tangent=None):
     """R = s F D G/(4 N·V N·L) + (1 − s) Rd in 1/sr, ``(..., 3)``, F of the table at V·H; without what is seen through.
+
+    tangent  what anisotropy is along before it is rotated, ``(..., 3)``; by default around the z axis, as on a ball
 
     >>> from .parameters import Film
     >>> from ...reflectance.directions import direction
@@ -57,13 +59,13 @@ def evaluate(parameters, n, v, l):
     [0.0, 0.13, 0.4]
     """
     def facets(c, look):
-        d = sum(w * beckmann(c.n_h, m) for m, w in slopes_of(parameters))
+        d = _distribution(parameters, c.n, c.h, c.n_h, tangent)
         return look(c.v_h) * (d / np.pi * v_cavity(c.n_h, c.n_v, c.n_l, c.v_h) / (4.0 * c.n_v * c.n_l))[..., None]
     return _with_diffuse(parameters, n, v, l, facets)
 
 
 def standard(parameters, n, v, l):
-    """What Standard renders in place of :func:`evaluate`: tilted lobes of one colour each, G by Smith.
+    """What Standard renders in place of :func:`evaluate` where facets are round: tilted lobes of one colour, Smith's G.
 
     See addon.reflectance.film_facets; arguments as for :func:`evaluate`.
 
@@ -80,7 +82,7 @@ def standard(parameters, n, v, l):
 
 
 def _with_diffuse(parameters, n, v, l, facets):
-    """s times facets(cosines, look), and the diffuse part; 0 where a direction is below the surface."""
+    """Tint times s times facets(cosines, look) and the diffuse part; 0 where a direction is below the surface."""
     p = parameters
     n, v, l = np.broadcast_arrays(n, v, l)
     h = half_vector(v, l)
@@ -90,7 +92,7 @@ def _with_diffuse(parameters, n, v, l, facets):
     seen = SimpleNamespace(n=n, v=v, l=l, h=h, n_h=n_h, n_v=n_v, n_l=n_l, v_h=v_h)
     film = facets(seen, lambda c: table_of(p.stack, {}).at(c, p.thickness))
     diffuse = (1.0 - p.specular) * (1.0 - p.see_through) * np.array(p.diffuse) / np.pi
-    return np.where(above[..., None], p.specular * film + diffuse, 0.0)
+    return np.where(above[..., None], np.array(p.tint) * (p.specular * film + diffuse), 0.0)
 
 
 def _native(normal, c, m):
@@ -99,3 +101,13 @@ def _native(normal, c, m):
     t_v = np.maximum(t_v, LEAST_COSINE)
     lit = beckmann(t_h, m) / np.pi * smith_beckmann(t_v, np.maximum(t_l, 0.0), m) / (4.0 * t_v * c.n_l)
     return np.where(t_l > 0.0, lit, 0.0)
+
+
+def _distribution(p, n, h, n_h, tangent):
+    """D at H of both slopes, stretched along the tangent where there is anisotropy."""
+    if p.anisotropy == 0.0:
+        return sum(w * beckmann(n_h, m) for m, w in slopes_of(p))
+    turned = rotate(around_z(n) if tangent is None else tangent, n, 2.0 * PI * p.rotation)
+    t, b = frame_along(n, turned)
+    h_t, h_b = dot(h, t), dot(h, b)
+    return sum(w * elliptic_beckmann(h_t, h_b, n_h, *along_across(m, p.anisotropy)) for m, w in slopes_of(p))

@@ -67,6 +67,14 @@ TABLE = (
     Number(name="roughness", symbol="√m", socket="Roughness", default=0.3, low=0.0, high=1.0, subtype="FACTOR",
            never_zero=True,
            tip="Its square is the rms slope m of the facets: 0.3 is polished, 0.45 satin, 0.7 rough"),
+    Colour(name="tint", socket="Tint", default=(1.0, 1.0, 1.0), low=0.0, high=1.0,
+           tip="Dyes what the film reflects, and the diffuse part; what passes through stays as it is"),
+    Number(name="anisotropy", symbol="a", socket="Anisotropy", default=0.0, low=0.0, below=1.0, slider=(0.0, 0.999),
+           subtype="FACTOR",
+           tip="Above 0 the slopes are m/√(1 - 0.9 a) along the tangent, where they end at 1, and m √(1 - 0.9 a) "
+               "across it"),
+    Number(name="rotation", socket="Rotation", default=0.0, low=0.0, high=1.0, subtype="FACTOR",
+           tip="Turns the tangent about the normal; 1 is a whole turn"),
     Number(name="specular", symbol="s", socket="Specular", default=1.0, low=0.0, high=1.0, subtype="FACTOR",
            tip="Share s of the light that the facets reflect; the rest is diffuse"),
     Colour(name="diffuse", symbol="π Rd", socket="Diffuse Color", default=(0.5, 0.5, 0.5), low=0.0, high=1.0,
@@ -79,6 +87,8 @@ TABLE = (
                "of glass; 1: the mesh is one sheet, and light goes straight on"),
     Direction(name="normal", symbol="N", socket="Normal",
               tip="Shading normal; the surface's own where nothing is plugged in"),
+    Direction(name="tangent", socket="Tangent",
+              tip="Direction that anisotropy is along; around the object's Z axis where nothing is plugged in"),
     Number(name="sampling_width", socket="Sampling Width", key="width", default=0.2, low=0.0, high=1.0,
            subtype="FACTOR", realisations=("exact",),
            tip="0: the formula itself, by mirrors, lit only by what they happen to hit; above: narrow lobes, "

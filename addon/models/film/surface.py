@@ -10,7 +10,7 @@ __all__ = ["Surface"]
 
 
 class Surface:
-    """A film under its sockets' settings: sockets, n and v, N·V, the rms slope m and the second one.
+    """A film under its sockets' settings: sockets, n and v, N·V, the rms slopes, the tangent before it is turned.
 
     realisation  whose sockets it has
     closest      whether each look blends four pixels itself, for renderers that blur images where the place
@@ -26,6 +26,10 @@ class Surface:
         with builder.frame("Rms slope"):
             self.m = slope(self.sockets.roughness)
             self.second = second_slope(self.m, self.sockets.ratio2)
+        with builder.frame("Frame"):
+            # The nodes of a tangent that nothing turns on fold away.
+            self.tangent = where(less(0.0, self.sockets.anisotropy), builder.tangent(self.sockets.tangent),
+                                 (1.0, 0.0, 0.0))
         self._closest = closest
         with builder.frame("Column"):
             s = self.sockets
@@ -38,7 +42,7 @@ class Surface:
             self._inside = where(self._refracts * back, s.ior_below, 1.0)
 
     def mean_square(self):
-        """The mean of the slopes' squares over that of the first."""
+        """The mean of both slopes' squares over that of the first."""
         ratio, weight = self.sockets.ratio2, self.sockets.w2
         return 1.0 + weight * (ratio * ratio - 1.0)
 
@@ -76,7 +80,7 @@ class Surface:
             clear = builder.scale_shader(s.see_through, self._passage(clip(passed, 0.0, 1.0)))
         with builder.frame("R = s Rs + d Rd"):
             share = (1.0 - s.specular) * (1.0 - s.see_through)
-            diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": s.diffuse, "Normal": self.n})
+            diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": s.tint * s.diffuse, "Normal": self.n})
             film = builder.scale_shader(s.specular, builder.add_shaders(*lobes))
             return builder.add_shaders(film, builder.scale_shader(share, diffuse), clear)
 
@@ -91,10 +95,18 @@ class Surface:
         return self.builder.node("ShaderNodeMixShader", {"Fac": self._refracts, "Shader": straight,
                                                          "Shader_001": refracted})
 
+    def lobe(self, colour, normal, roughness):
+        """A dyed Beckmann lobe, stretched along the tangent."""
+        s = self.sockets
+        with self.builder.frame("mt, mb"):
+            narrower = sqrt(1.0 - 0.9 * s.anisotropy) - 1.0
+        return self.glossy(colour, normal, roughness, Anisotropy=narrower, Rotation=s.rotation, Tangent=self.tangent)
+
     def glossy(self, colour, normal, roughness, **inputs):
-        """A Beckmann lobe."""
+        """A dyed Beckmann lobe."""
         return self.builder.node("ShaderNodeBsdfAnisotropic", {
-            "Color": colour, "Normal": normal, "Roughness": roughness, **inputs}, distribution="BECKMANN")
+            "Color": self.sockets.tint * colour, "Normal": normal, "Roughness": roughness, **inputs},
+            distribution="BECKMANN")
 
     def _look(self, row):
         """What the image holds at a row and the thickness's column, squared."""

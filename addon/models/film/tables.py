@@ -7,13 +7,14 @@ import hashlib
 import numpy as np
 
 from ...bake.film_curve import curve_table, is_curve
-from ...bake.film_table import film_table, smallest_table
+from ...bake.film_table import curve_over_angle, film_table, smallest_table
 from ...bake.reflected import Viewing
 from ...bake.stack_notation import parse
 from ...catalogue.resolving import layer
 from ..model import Picture
+from . import known
 
-__all__ = ["picture", "stack_of", "table_of"]
+__all__ = ["colour_of", "picture", "stack_of", "table_of"]
 
 VERSION = 1
 """Raised whenever what a table's image holds changes."""
@@ -23,32 +24,54 @@ ABSORBING = 0.01
 """Extinction of what is below from which a film's colour is bright."""
 
 
+_told = []
+"""Who is told of the progress of a table that is being made, which is no part of what it is kept by."""
+
+
 @functools.lru_cache(maxsize=32)
 def stack_of(text):
     """The Stack of a text in the notation.  Raises FacetFilmError that begins with the place."""
     return parse(text, layer)
 
 
-def table_of(text, viewing, of="reflected"):
+def table_of(text, viewing, of="reflected", progress=None):
     """The FilmTable of a stack in words, or the CurveTable of a Fresnel curve.
 
-    viewing  options of addon.bake.reflected.Viewing, {} for its defaults
-    of       "reflected", of the smallest size that comes close enough; "transmitted", of the same size
+    viewing   options of addon.bake.reflected.Viewing, {} for its defaults
+    of        "reflected", of the smallest size that comes close enough; "transmitted", of the same size
+    progress  function that is told the share that is done, where the table is not there yet
     """
-    return _table(text, tuple(sorted(viewing.items())), of)
+    _told[:] = [progress] if progress else []
+    try:
+        return _table(text, Viewing(**viewing), of)
+    finally:
+        _told.clear()
 
 
 @functools.lru_cache(maxsize=16)
-def _table(text, viewing, of):
-    light = Viewing(**dict(viewing))
+def _table(text, light, of):
     if is_curve(text):
         return curve_table(text, light)
     stack = _in_medium(stack_of(text), light.medium)
     if of == "transmitted":
-        rows, columns = _table(text, viewing, "reflected").size
+        rows, columns = _table(text, light, "reflected").size
         return film_table(stack, light, rows=rows, columns=max(columns, 8), of=of)
+    if text in known.tables() and light == Viewing():
+        (rows, columns), steps, errors = known.tables()[text]
+        return film_table(stack, light, rows=rows, columns=columns, steps=steps, errors=errors,
+                          progress=next(iter(_told), None))
     bright = float(stack.below_constants.at(550.0)[1]) > ABSORBING
-    return smallest_table(stack, light, OF_METALS if bright else OF_DARK)
+    return smallest_table(stack, light, OF_METALS if bright else OF_DARK, progress=next(iter(_told), None))
+
+
+@functools.lru_cache(maxsize=64)
+def colour_of(text, thickness_nm):
+    """Linear Rec.709 of one thickness seen face on, ``(3,)``, without a table."""
+    if is_curve(text):
+        return curve_table(text).at(1.0)
+    stack = stack_of(text)
+    within = np.clip(thickness_nm, *stack.thickness_range_nm)
+    return curve_over_angle(stack, Viewing(), float(within), np.ones(1))[0]
 
 
 def _in_medium(stack, medium):
@@ -73,7 +96,7 @@ def _made(text, viewing, clear):
     pixels = table.pixels()
     if clear:
         absorbed = np.ones_like(pixels)
-        absorbed[..., :3] = np.sqrt(_absorbed(table, table_of(text, viewing, "transmitted")))
+        absorbed[..., :3] = np.sqrt(_absorbed(text, viewing)) if table.absorbs else 0.0
         pixels = np.concatenate([pixels, absorbed])
     rows, columns = table.size
     low, high = table.thickness_range_nm
@@ -81,7 +104,7 @@ def _made(text, viewing, clear):
                                      "Rows": float(rows), "Image Rows": float(len(pixels))}
 
 
-def _absorbed(reflected, transmitted):
-    """1 − R − T, ``(rows, columns, 3)``; nothing where it is rounding."""
-    found = np.clip(1.0 - reflected.rgb - transmitted.rgb, 0.0, 1.0)
-    return found if reflected.absorbs else np.zeros_like(found)
+def _absorbed(text, viewing):
+    """1 − R − T, ``(rows, columns, 3)``."""
+    reflected, transmitted = (table_of(text, viewing, of) for of in ("reflected", "transmitted"))
+    return np.clip(1.0 - reflected.rgb - transmitted.rgb, 0.0, 1.0)

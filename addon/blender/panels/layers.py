@@ -1,0 +1,107 @@
+"""The panel of what a material is made of in words: its layers as a list, the text that says the same, its colours."""
+
+import bpy
+from bpy.app.translations import pgettext_n as n_
+
+from ..assets.swatches import swatch_icon
+from ..datablocks.locked import why_locked
+from ..datablocks.materials import model_of, our_node
+from ..datablocks.pictures import image_in, key_of
+from ..layers import follow, made_of, why_not
+from .drawing import draw_sentence
+from .material import MaterialPanel
+
+__all__ = ["CLASSES"]
+
+ROWS = 3
+SWATCH_SCALE = 5.0
+
+
+class FACET_FILM_UL_layers(bpy.types.UIList):
+    """Films from the outside in, each with its thickness"""
+
+    def draw_item(self, _context, layout, _data, item, _icon, _active_data, _active_property):
+        """What it is of; how thick, or from where to where."""
+        split = layout.split(factor=0.36, align=True)
+        split.prop(item, "material", text="", emboss=True)
+        row = split.row(align=True)
+        row.prop(item, "thickness", text="")
+        if item.varies:
+            row.prop(item, "greatest", text="")
+        row.prop(item, "varies", text="", icon="ARROW_LEFTRIGHT")
+
+
+class FACET_FILM_MT_layers(bpy.types.Menu):
+    """What else can be done with the chosen layer"""
+
+    bl_label = "Layer"
+
+    def draw(self, _context):
+        """A file of the user's own as what the layer is of."""
+        for place, text in (("FILM", n_("Layer From a File...")), ("BELOW", n_("Substrate From a File..."))):
+            self.layout.operator("facet_film.layer_file", text=text, icon="FILEBROWSER").place = place
+
+
+class FACET_FILM_PT_layers(MaterialPanel, bpy.types.Panel):
+    """The layers that the material is made of, from the outside in"""
+
+    bl_label = "Layers"
+    bl_parent_id = "FACET_FILM_PT_material"
+
+    @classmethod
+    def poll(cls, context):
+        """Shown for materials of ours that are made of what a text says."""
+        model = model_of(context.material)
+        return model is not None and bool(model.made_of)
+
+    def draw(self, context):
+        """The colours, the list, the text, and Bake."""
+        material, settings, layout = context.material, context.window_manager.facet_film, self.layout
+        layout.enabled = not why_locked(material)
+        follow(material)
+        _draw_swatch(layout, material)
+        if settings.is_layered:
+            _draw_layers(layout, settings)
+        layout.prop(settings, "layers_text", text="")
+        trouble = why_not(material, settings.layers_text)
+        if trouble:
+            draw_sentence(layout, trouble, "ERROR", context.region)
+        row = layout.row()
+        row.enabled = not trouble
+        changed = settings.layers_text != made_of(material)
+        row.operator("facet_film.bake_layers", icon="SHADING_RENDERED", depress=changed).text = settings.layers_text
+
+
+def _draw_layers(layout, settings):
+    column = layout.column()
+    column.use_property_split, column.use_property_decorate = True, False
+    column.prop(settings, "layers_outside")
+    row = layout.row()
+    row.template_list("FACET_FILM_UL_layers", "", settings, "layers", settings, "layer", rows=ROWS)
+    beside = row.column(align=True)
+    for what, icon in (("ADD", "ADD"), ("REMOVE", "REMOVE")):
+        beside.operator("facet_film.change_layers", text="", icon=icon).what = what
+    beside.menu("FACET_FILM_MT_layers", icon="DOWNARROW_HLT", text="")
+    if len(settings.layers) > 1:
+        beside.separator()
+        for what, icon in (("UP", "TRIA_UP"), ("DOWN", "TRIA_DOWN")):
+            beside.operator("facet_film.change_layers", text="", icon=icon).what = what
+    column = layout.column()
+    column.use_property_split, column.use_property_decorate = True, False
+    column.prop(settings, "layers_below")
+
+
+def _draw_swatch(layout, material):
+    """Its colours, as soon as they are drawn; what the strip's sides are."""
+    found = swatch_icon(material, key_of(image_in(our_node(material).node_tree)))
+    if found is None:
+        return
+    column = layout.column(align=True)
+    column.template_icon(found.icon, scale=SWATCH_SCALE)
+    row = column.row()
+    row.alignment = "CENTER"
+    down = "   ↓ 0°–85°" if found.has_angles else ""
+    row.label(text=f"→ {found.first:g}–{found.last:g} {found.unit}{down}", translate=False)
+
+
+CLASSES = (FACET_FILM_UL_layers, FACET_FILM_MT_layers, FACET_FILM_PT_layers)
