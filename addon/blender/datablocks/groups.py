@@ -72,13 +72,19 @@ def node_group(identifier, image=None):
     model, group = _owners()[identifier]
     if group.pictured:
         image = image or image_of(model.picture(model.parameters(), {}))
-    same = [tree for tree in bpy.data.node_groups
-            if tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == group.version
-            and not tree.library and not edited(tree)
-            and (not group.pictured or key_of(image_in(tree)) == key_of(image))]
+    ours = [tree for tree in bpy.data.node_groups if tree.get(ID_KEY) == identifier
+            and tree.get(VERSION_KEY) == group.version and not tree.library]
+    shown = [tree for tree in ours if not group.pictured or key_of(image_in(tree)) == key_of(image)]
+    same = [tree for tree in shown if not edited(tree)]
     if same:
         return _merged(same, group, image)
-    tree = _from_library(group) or build_group(identifier)
+    like = next((tree for tree in ours if not edited(tree)), None) if group.pictured else None
+    return _copied(like, group, image) if like else _brought(model, group, image)
+
+
+def _brought(model, group, image):
+    """A group that the file has none of, from the library or built."""
+    tree = _from_library(group) or build_group(group.identifier)
     if FINGERPRINT_KEY not in tree:
         if group.osl:
             _show_without_osl(tree, node_group(_without_osl(model, group), image))
@@ -88,6 +94,16 @@ def node_group(identifier, image=None):
     if group.pictured:
         put_image(tree, image)
     merge_parts()
+    return tree
+
+
+def _copied(like, group, image):
+    """A copy of a pictured group with another image, which also the group in it has that EEVEE shows."""
+    tree = like.copy()
+    put_image(tree, image)
+    for node in tree.nodes:
+        if group.stand_in and group_id(getattr(node, "node_tree", None)) == group.stand_in:
+            node.node_tree = node_group(group.stand_in, image)
     return tree
 
 
