@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import FacetFilmError
 from .bilinear import Density, Table
-from .half_difference import grid
+from .half_difference import STEEPEST, grid
 from .measurement import Measurement, Samples, require_values
 from .tensor_file import MAGIC, fields_of
 
@@ -20,7 +20,6 @@ NEEDED = ("theta_i", "phi_i", "ndf", "sigma", "vndf", "rgb", "jacobian")
 MOST_PHI = 2
 """Azimuths of incidence that an isotropic file has at most."""
 LEAST_COSINE = 1e-6
-STEEPEST_COSINE = np.cos(np.radians(80.0))
 
 
 class Rgl:
@@ -89,8 +88,9 @@ def _samples(rgl):
     v, l, weight = grid()
     v, l, which = rgl.entries(v, l)
     f, weight = rgl.brdf(v, l), np.bincount(which, weight)
-    good = (np.minimum(v[:, 2], l[:, 2]) > STEEPEST_COSINE) & np.all(np.isfinite(f), axis=-1) & np.any(f > 0.0, axis=-1)
-    return Samples(v[good], l[good], f[good], weight[good] / weight[good].sum()), int((~good).sum())
+    wanted = np.minimum(v[:, 2], l[:, 2]) > np.cos(STEEPEST)
+    good = wanted & np.all(np.isfinite(f), axis=-1) & np.any(f > 0.0, axis=-1)
+    return Samples(v[good], l[good], f[good], weight[good] / weight[good].sum()), int(np.sum(wanted & ~good))
 
 
 def _require_isotropic_rgb(fields, name):
