@@ -38,7 +38,7 @@ def standin(record):
         film = _one_film(record)
         return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=film[1] if film else 1.5, transmission=1.0,
                        thin_walled=True, film=film, lost=(LOST["field"],) if p.thickness_range else ())
-    table = table_of(p.stack, record.viewing)
+    table = table_of(p.stack, record.viewing, own=p.own_layers)
     mirror, tint = np.clip(table.at(COS_THETA, _thickness(p)), 0.0, 1.0), np.array(p.tint)
     seen = tint * (p.specular * mirror + (1.0 - p.specular) * np.array(p.diffuse))
     lost = (LOST["film"], LOST["field"]) if p.thickness_range else (LOST["film"],)
@@ -53,7 +53,7 @@ def standin(record):
 
 def _film_on_a_metal(record):
     """(n, k, m, thickness in nm, index) of one film on what absorbs, or None for other stacks."""
-    p, below = record.parameters, stack_of(record.parameters.stack).below_constants
+    p, below = record.parameters, stack_of(record.parameters.stack, record.parameters.own_layers).below_constants
     film = _one_film(record)
     if film is None or p.see_through > 0.0 or float(np.asarray(below.at(550.0)[1]).ravel()[0]) < ABSORBING:
         return None
@@ -63,15 +63,15 @@ def _film_on_a_metal(record):
 
 def _one_film(record):
     """(thickness in nm, n at the d line) of a stack of one film, or None."""
-    films = stack_of(record.parameters.stack).films
+    films = stack_of(record.parameters.stack, record.parameters.own_layers).films
     if len(films) != 1:
         return None
     return float(_thickness(record.parameters)), float(np.asarray(films[0].constants.at(587.56)[0]).ravel()[0])
 
 
 def _curve(record):
-    cosines = np.cos(np.radians(np.linspace(90.0, 0.0, ANGLES)))
-    return cosines, table_of(record.parameters.stack, record.viewing).at(cosines, _thickness(record.parameters))
+    p, cosines = record.parameters, np.cos(np.radians(np.linspace(90.0, 0.0, ANGLES)))
+    return cosines, table_of(p.stack, record.viewing, own=p.own_layers).at(cosines, _thickness(p))
 
 
 def _thickness(parameters):

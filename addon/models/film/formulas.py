@@ -39,7 +39,7 @@ def evaluate(parameters, n, v, l, tangent=None):
     n_h, n_v, n_l, v_h = (np.sum(a * b, axis=-1) for a, b in ((n, h), (n, v), (n, l), (v, h)))
     above = (n_v > 0.0) & (n_l > 0.0)
     n_v, n_l, n_h, v_h = (np.where(above, x, 1.0) for x in (n_v, n_l, n_h, v_h))
-    film = table_of(p.stack, {}).at(v_h, p.thickness)
+    film = table_of(p.stack, {}, own=p.own_layers).at(v_h, p.thickness)
     facets = _distribution(p, n, h, n_h, tangent) / np.pi * v_cavity(n_h, n_v, n_l, v_h) / (4.0 * n_v * n_l)
     diffuse = (1.0 - p.specular) * (1.0 - p.see_through) * np.array(p.diffuse) / np.pi
     return np.where(above[..., None], np.array(p.tint) * (p.specular * film * facets[..., None] + diffuse), 0.0)

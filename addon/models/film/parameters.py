@@ -52,6 +52,16 @@ class Layers(Text):
         return value.strip()
 
 
+class OwnData(Text):
+    """Measurements of the user's own, as addon.catalogue.resolving.layers_in reads them; "" for none."""
+
+    def checked(self, value):
+        """Any text."""
+        if not isinstance(value, str):
+            raise FacetFilmError("{name} must be a text, not {value!r}.", name=self.name, value=value)
+        return value
+
+
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class TableSlider(Slider):
     """What the look-up in the table's image needs; each bake sets it."""
@@ -62,6 +72,9 @@ class TableSlider(Slider):
 TABLE = (
     Layers(name="stack", default="TiO2 0-200 nm / Ti",
          tip="Layers from the outside in, as 'SiO2 0-1000 nm / Si'; see docs/films.md"),
+    OwnData(name="own_layers", default="",
+            tip="Measurements of your own that the stack names, kept so that it can be baked where their files are "
+                "not; each bake sets it"),
     Number(name="thickness", symbol="d", socket="Thickness", key="d", default=60.0, low=0.0, high=THICKEST, unit="nm",
            tip="Thickness d in nanometres of what varies in the stack; beyond the table it is the table's end"),
     Number(name="roughness", symbol="√m", socket="Roughness", default=0.3, low=0.0, high=1.0, subtype="FACTOR",
