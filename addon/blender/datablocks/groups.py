@@ -72,12 +72,15 @@ def node_group(identifier, image=None):
     model, group = _owners()[identifier]
     if group.pictured:
         image = image or image_of(model.picture(model.parameters(), {}))
-    same = [tree for tree in bpy.data.node_groups
-            if tree.get(ID_KEY) == identifier and tree.get(VERSION_KEY) == group.version
-            and not tree.library and not edited(tree)
-            and (not group.pictured or key_of(image_in(tree)) == key_of(image))]
+    there = [tree for tree in bpy.data.node_groups if tree.get(ID_KEY) == identifier
+             and tree.get(VERSION_KEY) == group.version and not tree.library]
+    same = [tree for tree in there
+            if (not group.pictured or key_of(image_in(tree)) == key_of(image)) and not edited(tree)]
     if same:
         return _merged(same, group, image)
+    of_another = next((tree for tree in there if not edited(tree)), None) if group.pictured else None
+    if of_another is not None:
+        return _copied(of_another, group, image)
     tree = _from_library(group) or build_group(identifier)
     if FINGERPRINT_KEY not in tree:
         if group.osl:
@@ -89,6 +92,17 @@ def node_group(identifier, image=None):
         put_image(tree, image)
     merge_parts()
     return tree
+
+
+def _copied(tree, group, image):
+    """A copy of a pictured group for another image, with the group for EEVEE in it: quicker than the library's."""
+    copy = tree.copy()
+    copy.name = group.name
+    for node in copy.nodes:
+        if group.stand_in and node.bl_idname == "ShaderNodeGroup" and group_id(node.node_tree) == group.stand_in:
+            node.node_tree = node_group(group.stand_in, image)
+    put_image(copy, image)
+    return copy
 
 
 def mark(tree, group):
