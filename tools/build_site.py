@@ -165,18 +165,20 @@ def build(out, catalogue):
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
             raise SiteError(f"Sphinx refused:\n{done.stdout}{done.stderr}")
-        _say_the_level_of_headings(Path(scratch) / "site")
+        _for_ears_and_keyboards(Path(scratch) / "site")
         shutil.rmtree(out, ignore_errors=True)
         shutil.copytree(Path(scratch) / "site", out, ignore=shutil.ignore_patterns(".buildinfo", "objects.inv"))
     return out
 
 
-def _say_the_level_of_headings(site):
-    """Sphinx gives the captions of its menus the role of a heading and no level, which readers by ear need."""
+def _for_ears_and_keyboards(site):
+    """What readers without a screen or a mouse need and Sphinx leaves out: a level for the captions of its menus, which
+    have the role of a heading; and code that is wider than a phone is scrolled by keys once it can be reached.
+    """
     for page in site.rglob("*.html"):
         text = page.read_text(encoding="utf-8")
-        page.write_text(text.replace('class="caption" role="heading"', 'class="caption" role="heading" aria-level="2"'),
-                        encoding="utf-8")
+        text = text.replace('class="caption" role="heading"', 'class="caption" role="heading" aria-level="2"')
+        page.write_text(text.replace("<pre>", '<pre tabindex="0">'), encoding="utf-8")
 
 
 def heavy_pages(site):

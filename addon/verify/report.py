@@ -94,7 +94,7 @@ def _rows(pairs):
 
 
 def _checks(results):
-    rows = ["<table><tr><th>Check</th><th>Figures</th><th>Reference, render, difference</th></tr>"]
+    rows = ["<table><tr><th>Check</th><th>Figures</th><th>Formula, render, difference</th></tr>"]
     for check, outcome, seconds in results:
         mark = '<span class="passed">passed</span>' if _passed(outcome) else '<span class="failed">FAILED</span>'
         name = html.escape(f"{realisation_title(check.realisation)}: {check.name}" if check.realisation else check.name)
@@ -118,7 +118,7 @@ def _figure(figure):
 def _picture(picture):
     if picture is None:
         return ""
-    return f'<img alt="reference, render, difference × {picture.times:g}" src="{data_url(strip(picture))}">'
+    return f'<img alt="formula, render, difference × {picture.times:g}" src="{data_url(strip(picture))}">'
 
 
 def _presets(rows):

@@ -8,7 +8,8 @@ from axe_core_python.selenium import Axe
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-PAGES = ("index.html", "materials.html", "material/gold.html", "films.html")
+PAGES = ("index.html", "for_artists.html", "for_pipelines.html", "for_students.html", "for_contributors.html",
+         "glass_of_water.html", "materials.html", "material/gold.html", "films.html")
 
 
 def titles_shown(browser):

@@ -13,6 +13,11 @@ from hands import area_of, click, drag, find, key, middle_of, picture, region_of
 ROW, ARROW = 26, 21
 """Pixels from one row of the panel Surface to the next, and from its left to the arrows that show what feeds a row."""
 
+FIRST_SOCKET, SOCKET, CHOICE = 35, 22, 26
+"""From the top of a node to its first socket, from one to the next, and what the choice of the group takes between its
+outputs and its inputs.
+"""
+
 
 def session():
     """Everything, in order."""
@@ -57,14 +62,64 @@ def session():
     picture("ring")
 
     step("open the thickness, and make its greatest less")
-    specular = yield from find(properties, "inputs[2].default_value", across=(0.65,))
-    yield from click(region_of(properties).x + ARROW, specular[1] + 2 * ROW)
+    names = [socket.name for socket in node_of("Film Standard").inputs]
+    specular = names.index("Specular")  # which the card above does not show as well
+    _, y = yield from find(properties, f"inputs[{specular}].default_value", across=(0.65,))
+    yield from click(region_of(properties).x + ARROW, y + ROW * (specular - names.index("Thickness")))
     yield 1.0
     slider = yield from find(properties, greatest().path_from_id("default_value"), across=(0.75,))
     yield from drag(slider, (slider[0] - 60, slider[1]))
     yield from until(lambda: greatest().default_value < 175.0, "the thickest is thinner")
     yield 4.0
     picture("thickness")
+    yield from by_volts(view)
+
+
+def by_volts(view):
+    """In the Shader Editor: the group of volts, and a line from it to the film."""
+    step("add Film Anodising, and draw a line from Titanium to Thickness")
+    view.ui_type = "ShaderNodeTree"
+    yield 1.5
+    region = region_of(view)
+    at = region.x + region.width // 4, region.y + region.height // 2
+    yield from key("HOME", at)
+    yield 1.0
+    yield from key("A", at, shift=True)
+    yield 1.0
+    yield from write("film anodising", at)
+    yield 1.5
+    yield from key("RET", at)
+    yield 0.5
+    yield from click(region.x + 10, region.y + region.height // 4)
+    yield from until(lambda: node_of("Film Anodising") is not None, "the group is there")
+    yield 1.0
+    volts, film = node_of("Film Anodising"), node_of("Film Standard")
+    start = place_of(region, volts, volts.width, FIRST_SOCKET)
+    end = place_of(region, film, 0.0, FIRST_SOCKET + SOCKET * len(film.outputs) + CHOICE)
+    yield from drag(start, end)
+    yield from until(lambda: feeds_thickness() == "Film Anodising", "volts feed the thickness")
+    yield from key("HOME", at)
+    yield 2.0
+    picture("volts")
+
+
+def place_of(region, node, right, below):
+    """Where on the screen a place of a node is."""
+    x, y = region.view2d.view_to_region(node.location_absolute.x + right, node.location_absolute.y - below, clip=False)
+    return region.x + x, region.y + y
+
+
+def node_of(group):
+    """The node of a group on the ring, by the group's name."""
+    nodes = bpy.data.objects["Torus"].active_material.node_tree.nodes
+    return next((node for node in nodes if getattr(node, "node_tree", None)
+                 and node.node_tree.name.startswith(group)), None)
+
+
+def feeds_thickness():
+    """The group that the film's thickness comes from."""
+    links = next(socket.links for socket in node_of("Film Standard").inputs if socket.name == "Thickness")
+    return links[0].from_node.node_tree.name if links else None
 
 
 def greatest():
