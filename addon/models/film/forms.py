@@ -4,7 +4,12 @@ import numpy as np
 
 from ... import export
 from ...bake import bake
+from ...bake.colour import delta_e_2000, lab
+from ...bake.film_colours import exact_colours
+from ...bake.reflected import Viewing
+from ...bake.stack_notation import parse
 from ...bake.standin_fit import COS_THETA, fit_metal, fit_mirror
+from ...catalogue.resolving import layers_in
 from ...export import json_text
 from ...export.standin import LOST, Standin
 from ..moving import moved
@@ -36,8 +41,9 @@ def standin(record):
     p = record.parameters
     if p.see_through > 0.5:
         film = _one_film(record)
-        return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=film[1] if film else 1.5, transmission=1.0,
-                       thin_walled=True, film=film, lost=(LOST["field"],) if p.thickness_range else ())
+        film, ior = film if film and film[1] >= 1.0 else None, max(float(_index(stack_of(p.stack, p.own_layers).below_constants)), 1.0)
+        return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=ior, transmission=1.0, thin_walled=True, film=film,
+                       delta_e=(_off(record, film, ior),) * 2, lost=(LOST["field"],) if p.thickness_range else ())
     table = table_of(p.stack, record.viewing, own=p.own_layers)
     mirror, tint = np.clip(table.at(COS_THETA, _thickness(p)), 0.0, 1.0), np.array(p.tint)
     seen = tint * (p.specular * mirror + (1.0 - p.specular) * np.array(p.diffuse))
@@ -66,7 +72,21 @@ def _one_film(record):
     films = stack_of(record.parameters.stack, record.parameters.own_layers).films
     if len(films) != 1:
         return None
-    return float(_thickness(record.parameters)), float(np.asarray(films[0].constants.at(587.56)[0]).ravel()[0])
+    return float(_thickness(record.parameters)), float(_index(films[0].constants))
+
+
+def _index(constants):
+    """n at the d line."""
+    return np.asarray(constants.at(587.56)[0]).ravel()[0]
+
+
+def _off(record, film, ior):
+    """Mean CIEDE2000 over a ball's angles of what a clear sheet of one film reflects, its indices constant."""
+    p, light = record.parameters, Viewing(**record.viewing)
+    stack = parse(f"{film[1]:.6g} {film[0]:.6g} nm / {ior:.6g}" if film else f"{ior:.6g}", layers_in(""))
+    shown = exact_colours(stack, light, COS_THETA, stack.thickness_range_nm[0])
+    exact = table_of(p.stack, record.viewing, own=p.own_layers).at(COS_THETA, _thickness(p))
+    return float(delta_e_2000(lab(exact, light.space), lab(np.clip(shown, 0.0, 1.0), light.space)).mean())
 
 
 def _curve(record):
