@@ -7,18 +7,22 @@ import math
 
 import bpy
 import numpy as np
-from mathutils import Euler, Matrix, Vector
+from mathutils import Matrix, Vector
 
+from .interiors import show_scene
 from .job import Figure
 from .pictures import labelled
 from .shapes import polygon, rounded_box, seven_segments
-from .studio import add_camera, add_cove, add_softbox, matt, new_scene, set_sky
+from .studio import add_camera, add_cove, add_softbox, set_sky
 from .turned import turned_object
 
 RADIUS = 1.32
 """Of the band's loop; everything else is measured by it."""
 
-LINKS = 20
+LINKS = 17
+LINK_HEIGHT = 0.15
+FLAT, SOFT = 0.90, 0.06
+"""The loop stands on links that lie flat: no part of it is lower than FLAT of the radius, rounded by SOFT of it."""
 CASE_HALF_ANGLE = math.radians(37.0)
 TILT = math.radians(52.0)
 LED_NM = 640.0
@@ -52,7 +56,7 @@ def gold_with_pattern():
                            x=-700) for at in (x, y)]
     inside = math_node("MULTIPLY", math_node("GREATER_THAN", from_edge[0], 0.2, x=-600),
                        math_node("GREATER_THAN", from_edge[1], 0.2, x=-600), x=-500)
-    wave = math_node("SINE", math_node("MULTIPLY", math_node("ADD", x, y, x=-900), 34.0, x=-800), x=-700)
+    wave = math_node("SINE", math_node("MULTIPLY", math_node("ADD", x, y, x=-900), 20.0, x=-800), x=-700)
     striped = math_node("MULTIPLY_ADD", math_node("GREATER_THAN", wave, 0.0, x=-600), ROUGHEST - ROUGH, ROUGH, x=-500)
     slope = math_node("MULTIPLY_ADD", inside, math_node("SUBTRACT", striped, SMOOTH, x=-400), SMOOTH, x=-300)
     tree.links.new(math_node("SQRT", slope, x=-200), socket_named(ours, "Roughness"))
@@ -86,26 +90,39 @@ def glowing(name, colour, radiance):
 
 
 def build_watch():
-    """The watch about the origin, its loop in the plane of y and z, its face up; all parts in a list."""
+    """The watch, its loop about the origin in the plane of y and z, its face leaning back; all parts in a list."""
     from addon import api
     gold = api.create_material(preset="gold", name="Gold, polished", slopes=[(SMOOTH, 0.8), (0.2, 0.2)])
     satin = api.create_material(preset="gold", name="Gold, satin", slopes=[(0.25, 1.0)])
     steel = api.create_material(preset="stainless_steel", name="Stainless steel", slopes=[(0.12, 0.7), (0.25, 0.3)])
     glass = api.create_material(preset="obsidian", name="Dark glass", slopes=[(0.03, 1.0)], specular=0.35)
-    return [*_band(gold_with_pattern(), gold, steel), *_case(gold, satin, steel, glass),
-            *_digits("10:58", glowing("LED, 640 nm", led_colour(), 0.95))]
+    head = [*_case(gold, satin, steel, glass), *_digits("10:58", glowing("LED, 640 nm", led_colour(), 0.95))]
+    bpy.context.view_layer.update()
+    for part in head:
+        part.matrix_world = Matrix.Rotation(TILT, 4, "X") @ part.matrix_world
+    return [*head, *_band(gold_with_pattern(), steel)]
 
 
-def _band(patterned, gold, steel):
+def loop():
+    """The band's middle: (y and z, (N, 2)), from one end of the case round to the other."""
+    turn = np.linspace(TILT + CASE_HALF_ANGLE, TILT + 2.0 * math.pi - CASE_HALF_ANGLE, 4001)
+    above = (np.cos(turn) + FLAT) / SOFT
+    return RADIUS * np.stack([-np.sin(turn), SOFT * np.logaddexp(0.0, above) - FLAT], axis=1)
+
+
+def _band(patterned, steel):
+    """Links at equal distances along the loop."""
+    path = loop()
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
+    step = way[-1] / LINKS
     parts = []
-    step = (2.0 * math.pi - 2.0 * CASE_HALF_ANGLE) / LINKS
-    length = 0.93 * step * RADIUS
-    for j in range(LINKS):
-        turn = Matrix.Rotation(-(CASE_HALF_ANGLE + (j + 0.5) * step), 4, "X")
-        for x, width, height, material in ((-0.43, 0.40, 0.15, patterned), (0.0, 0.44, 0.12, steel),
-                                           (0.43, 0.40, 0.15, patterned)):
-            link = rounded_box("Link", (width, length, height), 0.035, material, segments=3)
-            link.matrix_world = turn @ Matrix.Translation((x, 0.0, RADIUS))
+    for at in step * (np.arange(LINKS) + 0.5):
+        (y, z), before, after = ([np.interp(d, way, path[:, j]) for j in (0, 1)] for d in (at, at - 0.1, at + 0.1))
+        turn = Matrix.Rotation(math.atan2(before[1] - after[1], before[0] - after[0]), 4, "X")
+        for x, width, height, material in ((-0.43, 0.40, LINK_HEIGHT, patterned), (0.0, 0.44, 0.12, steel),
+                                           (0.43, 0.40, LINK_HEIGHT, patterned)):
+            link = rounded_box("Link", (width, 0.92 * step, height), 0.035, material, segments=4)
+            link.matrix_world = Matrix.Translation((x, y, z)) @ turn
             parts.append(link)
     return parts
 
@@ -146,21 +163,17 @@ def _digits(text, material):
 
 
 def figure_8(job):
-    """The watch on a dark cushion."""
-    scene = new_scene(job.size(760, 670), job.samples(24), denoise=True, noise=0.02)
-    add_cove(scene, (0.10, 0.105, 0.115))
-    lift = RADIUS + 0.075
-    whole = Matrix.Translation((0.0, 0.0, lift)) @ Euler((TILT, 0.0, math.radians(-24.0)), "XYZ").to_matrix().to_4x4()
+    """The watch, standing on its band."""
+    scene = show_scene(job, 20, size=(1200, 960))
+    add_cove(scene, (0.085, 0.088, 0.096))
+    lift = 0.5 * LINK_HEIGHT - loop()[:, 1].min()
+    whole = Matrix.Translation((0.0, 0.0, lift)) @ Matrix.Rotation(math.radians(-30.0), 4, "Z")
     for part in build_watch():
-        bpy.context.view_layer.update()
         part.matrix_world = whole @ part.matrix_world
-    cushion = turned_object("Cushion", ((0, -0.86), (0.7, -0.84), (1.08, -0.76), (1.2, -0.62), (1.215, 0.0),
-                                        (1.2, 0.62), (1.08, 0.76), (0.7, 0.84), (0, 0.86)),
-                            matt("Velvet", (0.03, 0.012, 0.016)))
-    cushion.matrix_world = whole @ Matrix.Rotation(math.pi / 2, 4, "Y")
-    add_softbox(scene, Vector((-3.2, -3.6, 6.4)), (0.0, 0.0, 1.4), (4.5, 3.2), 1.3)
-    set_sky(scene, 0.45, 0.22, 0.06)
-    add_camera(scene, (1.4, -9.4, 5.0), (0.08, 0.0, 1.30), 88.0)
+    add_softbox(scene, Vector((-3.2, -3.6, 6.4)), (0.0, 0.0, 1.4), (4.5, 3.2), 3.0)
+    add_softbox(scene, Vector((5.5, -4.0, 2.6)), (0.0, 0.0, 1.2), (0.8, 4.0), 2.5)
+    set_sky(scene, 0.9, 0.40, 0.10)
+    add_camera(scene, (1.4, -9.4, 4.6), (0.05, 0.0, 1.22), 84.0)
     picture = job.render(scene, "figure 8, the watch")
     job.write(labelled(picture, "8  watch: gold, stainless steel, LEDs of 640 nm"), "watch.jpg")
     job.save_scene("watch")

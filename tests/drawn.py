@@ -58,7 +58,7 @@ class Layout:
     def template_icon(self, *_arguments, **_options):
         """Nothing to note."""
 
-    template_node_link = separator = menu = popover = template_asset_shelf_popover = template_icon
+    template_node_link = separator = menu = popover = template_asset_shelf_popover = template_list = template_icon
 
 
 def properties_editor(target=None, material=None):

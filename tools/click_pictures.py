@@ -20,7 +20,7 @@ PARTS = {
     "step_copper_2.png": ("tutorial_copper/rougher", (1350, 386, 1598, 454)),
     "step_ring_1.png": ("tutorial_ring/search", (1324, 258, 1598, 330)),
     "step_ring_2.png": ("tutorial_ring/thickness", (1350, 606, 1598, 852)),
-    "step_ring_3.png": ("tutorial_ring/volts", (140, 210, 1160, 700)),
+    "step_ring_3.png": ("tutorial_ring/volts", (240, 195, 1080, 675)),
     "step_water_1.png": ("tutorial_water/wall", (1350, 232, 1598, 412)),
 }
 """Name -> session and picture; left, top, right and bottom in pixels of a window of 1600 by 900."""

@@ -2,14 +2,16 @@
 
 from pathlib import Path
 
+import bpy
 import numpy as np
 import pytest
 
 from addon.bake.srgb import bytes_of
 from addon.catalogue.entries import entries
-from demo_blend import figures, pictures, poster
+from demo_blend import figures, helmet, pictures, poster, show_glass, watch
 from demo_blend.job import Job
 from demo_blend.side_by_side import compared
+from demo_blend.studio import matt, new_scene
 
 SHOWN = Path(__file__).resolve().parents[2] / "docs" / "pictures"
 SCALE = 0.05
@@ -33,6 +35,40 @@ def test_figure_is_made(name, tmp_path, capfd):
     made = [path for path in tmp_path.iterdir() if path.suffix != ".blend"]
     assert [path.stem for path in made] == [name]
     assert np.ptp(pictures.read(made[0])) > 60
+
+
+def lowest(objects):
+    bpy.context.view_layer.update()
+    return min((made.matrix_world @ vertex.co).z for made in objects for vertex in made.data.vertices)
+
+
+@pytest.fixture()
+def empty_scene():
+    new_scene((16, 16), 1)
+
+
+def test_the_watch_stands_on_links_that_lie_flat(empty_scene):
+    parts = watch.build_watch()
+    floor = watch.loop()[:, 1].min() - 0.5 * watch.LINK_HEIGHT
+    assert lowest(parts) == pytest.approx(floor, abs=0.01)
+    standing = [part for part in parts if part.name.startswith("Link") and lowest([part]) < floor + 0.02]
+    assert len(standing) >= 6, "two rows of three links carry it"
+
+
+def test_a_stone_lies_on_its_pavilion(empty_scene):
+    show_glass.stone("diamond", (0.0, 0.0), 0.2, 0.3)
+    stone = bpy.data.objects["diamond"]
+    bpy.context.view_layer.update()
+    heights = sorted((stone.matrix_world @ vertex.co).z for vertex in stone.data.vertices)
+    assert heights[:4] == pytest.approx([0.0] * 4, abs=1e-6), "a facet, and not a corner, is on the sill"
+
+
+def test_a_helmet_stands_on_its_trim(empty_scene):
+    made = helmet.helmet("Helmet", matt("Shell", 0.5), matt("Visor", 0.5), detail=0.2)
+    bpy.context.view_layer.update()
+    edge = [vertex.co.z for vertex in made.data.vertices]
+    assert min(edge) == pytest.approx(0.0, abs=1e-6)
+    assert len({polygon.material_index for polygon in made.data.polygons}) == 3, "shell, rubber and visor"
 
 
 def test_the_poster_shows_every_material(monkeypatch, tmp_path):

@@ -72,16 +72,19 @@ def node_group(identifier, image=None):
     model, group = _owners()[identifier]
     if group.pictured:
         image = image or image_of(model.picture(model.parameters(), {}))
-    there = [tree for tree in bpy.data.node_groups if tree.get(ID_KEY) == identifier
-             and tree.get(VERSION_KEY) == group.version and not tree.library]
-    same = [tree for tree in there
-            if (not group.pictured or key_of(image_in(tree)) == key_of(image)) and not edited(tree)]
+    ours = [tree for tree in bpy.data.node_groups if tree.get(ID_KEY) == identifier
+            and tree.get(VERSION_KEY) == group.version and not tree.library]
+    shown = [tree for tree in ours if not group.pictured or key_of(image_in(tree)) == key_of(image)]
+    same = [tree for tree in shown if not edited(tree)]
     if same:
         return _merged(same, group, image)
-    of_another = next((tree for tree in there if not edited(tree)), None) if group.pictured else None
-    if of_another is not None:
-        return _copied(of_another, group, image)
-    tree = _from_library(group) or build_group(identifier)
+    like = next((tree for tree in ours if not edited(tree)), None) if group.pictured else None
+    return _copied(like, group, image) if like else _brought(model, group, image)
+
+
+def _brought(model, group, image):
+    """A group that the file has none of, from the library or built."""
+    tree = _from_library(group) or build_group(group.identifier)
     if FINGERPRINT_KEY not in tree:
         if group.osl:
             _show_without_osl(tree, node_group(_without_osl(model, group), image))
@@ -94,15 +97,14 @@ def node_group(identifier, image=None):
     return tree
 
 
-def _copied(tree, group, image):
-    """A copy of a pictured group for another image, with the group for EEVEE in it: quicker than the library's."""
-    copy = tree.copy()
-    copy.name = group.name
-    for node in copy.nodes:
-        if group.stand_in and node.bl_idname == "ShaderNodeGroup" and group_id(node.node_tree) == group.stand_in:
+def _copied(like, group, image):
+    """A copy of a pictured group with another image, which also the group in it has that EEVEE shows."""
+    tree = like.copy()
+    put_image(tree, image)
+    for node in tree.nodes:
+        if group.stand_in and group_id(getattr(node, "node_tree", None)) == group.stand_in:
             node.node_tree = node_group(group.stand_in, image)
-    put_image(copy, image)
-    return copy
+    return tree
 
 
 def mark(tree, group):

@@ -41,7 +41,8 @@ def standin(record):
     p = record.parameters
     if p.see_through > 0.5:
         film = _one_film(record)
-        film, ior = film if film and film[1] >= 1.0 else None, max(float(_index(stack_of(p.stack, p.own_layers).below_constants)), 1.0)
+        film = film if film and film[1] >= 1.0 else None
+        ior = max(float(_index(stack_of(p.stack, p.own_layers).below_constants)), 1.0)
         return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=ior, transmission=1.0, thin_walled=True, film=film,
                        delta_e=(_off(record, film, ior),) * 2, lost=(LOST["field"],) if p.thickness_range else ())
     table = table_of(p.stack, record.viewing, own=p.own_layers)

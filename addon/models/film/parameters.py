@@ -1,6 +1,7 @@
 """The table of a film's parameters."""
 
 import dataclasses
+import json
 
 from ...errors import FacetFilmError, numbers_of
 from ..parameters import Colour, Direction, Number, Parameter, Slider, Socket, Text, checked_class
@@ -56,9 +57,14 @@ class OwnData(Text):
     """Measurements of the user's own, as addon.catalogue.resolving.layers_in reads them; "" for none."""
 
     def checked(self, value):
-        """Any text."""
-        if not isinstance(value, str):
-            raise FacetFilmError("{name} must be a text, not {value!r}.", name=self.name, value=value)
+        """JSON of words and what was measured, or nothing."""
+        try:
+            held = json.loads(value) if value else {}
+        except (TypeError, ValueError):
+            held = None
+        if not isinstance(value, str) or not isinstance(held, dict):
+            raise FacetFilmError("{name} is written by a bake, as JSON; leave it out, or as it is: not {value!r}.",
+                                 name=self.name, value=value)
         return value
 
 
