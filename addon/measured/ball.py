@@ -14,7 +14,7 @@ import numpy as np
 from ..bake.colour import delta_e_2000, lab
 from .lights import LIGHTS
 
-__all__ = ["LUMINANCE", "Ball", "ball", "displayed", "exposure_of"]
+__all__ = ["LUMINANCE", "Ball", "ball", "below", "displayed", "exposure_of"]
 
 LAST = np.radians(84.0)
 """The outermost ring."""
@@ -110,6 +110,17 @@ def ball(rings, around, tilts, turns):
     (8, 8, 3)
     """
     return Ball(rings, around, tilts, turns)
+
+
+def below(values, area, share=0.95):
+    """What a share of the area is below: values and what each counts, of one shape.
+
+    >>> below(np.arange(100.0), np.full(100, 0.01))
+    94.0
+    """
+    order = np.argsort(values, axis=None)
+    place = np.searchsorted(np.cumsum(area.ravel()[order]), share)
+    return float(values.ravel()[order][min(place, values.size - 1)])
 
 
 def exposure_of(ball_, image):

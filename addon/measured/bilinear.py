@@ -91,5 +91,37 @@ class Density(Table):
                                                                                                   - whole[0]))
         return np.stack([column, row], axis=-1)
 
+    def drawn(self, u, part):
+        """The places ``(N, 2)`` that the warp of slices `part`, ``(N,)``, sends random numbers ``(N, 2)`` to.
+
+        >>> density = Density(1.0 + np.arange(12.0).reshape(1, 3, 4))
+        >>> place, slices = np.array([[0.3, 0.8]]), np.array([0])
+        >>> density.drawn(density.inverted(place, np.zeros(1)), slices).round(12).tolist()
+        [[0.3, 0.8]]
+        """
+        column, row = np.asarray(u, float).T
+        across = self._across.reshape(-1, self.rows)[part]
+        j = _before(across, row, self.rows)
+        whole = [self._along_at(part, j + dj, self.columns - 1) for dj in (0, 1)]
+        y = _way(row - np.take_along_axis(across, j[:, None], 1)[:, 0], *whole)
+        along = self._along.reshape(-1, self.rows, self.columns)
+        along = (1.0 - y)[:, None] * along[part, j] + y[:, None] * along[part, j + 1]
+        column = column * along[:, -1]
+        i = _before(along, column, self.columns)
+        ends = [(1.0 - y) * self._node(part, j, i + di) + y * self._node(part, j + 1, i + di) for di in (0, 1)]
+        x = _way(column - np.take_along_axis(along, i[:, None], 1)[:, 0], *ends)
+        return np.stack([(i + x) / (self.columns - 1), (j + y) / (self.rows - 1)], axis=-1)
+
     def _along_at(self, part, row, column):
         return self._along[(part * self.rows + row) * self.columns + column]
+
+
+def _before(cumulative, value, count):
+    """The last of `count` nodes but one whose cumulative value ``(N, count)`` is not above a value, ``(N,)``."""
+    return np.clip(np.sum(cumulative <= value[:, None], axis=1) - 1, 0, count - 2)
+
+
+def _way(area, first, second):
+    """The share x of the way at which the area below a straight line from first to second is this."""
+    root = np.sqrt(np.maximum(first * first + 2.0 * area * (second - first), 0.0))
+    return np.clip(2.0 * area / np.maximum(first + root, 1e-30), 0.0, 1.0)

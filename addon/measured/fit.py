@@ -6,15 +6,18 @@ from typing import Any
 
 import numpy as np
 
+from ..bake.baking import FORMULAS
 from ..bake.colour import lab
 from ..catalogue.presets import Preset
 from ..models.fitted import UP
 from ..models.making import ANY_RENDERER, made
-from .ball import displayed, exposure_of
+from .ball import below, displayed, exposure_of
 from .lights import HELD_OUT
 
 __all__ = ["ALIKE", "GOOD", "POOR", "Fit", "report_of"]
 
+SEEN = 0.1
+"""What two means differ by at least that are told apart."""
 ALIKE, GOOD, POOR = 1.0, 2.0, 3.0
 """Mean CIEDE2000 up to which a fit is alike, good, and from which the model cannot."""
 GRAZING = np.radians(60.0)
@@ -40,6 +43,8 @@ class Fit:
                        are below
     worst_degrees      the angle to the normal that it is viewed at where it is worst
     worst              the mean there
+    standard           {formula: the mean as Standard renders it} for Blender 5's conductor Fresnel, "exact", and for
+                       "blender-4.5"; Reference renders the formula itself
     used, rejected     samples
     reason             why the model cannot, "" where it can
     tried              {fresnel: mean colour difference under the surroundings that were fitted to}
@@ -58,6 +63,7 @@ class Fit:
     p95: float
     worst_degrees: float
     worst: float
+    standard: Mapping[str, float]
     used: int
     rejected: int
     reason: str
@@ -76,8 +82,17 @@ class Fit:
 
     def said(self) -> str:
         """What it was fitted from and how well, in a sentence or two."""
-        return (f"Fitted to {self.title} ({self.file}). Under a light that was not fitted to, CIEDE2000 is "
+        said = (f"Fitted to {self.title} ({self.file}). Under a light that was not fitted to, CIEDE2000 is "
                 f"{self.mean:.2f} on average and below {self.p95:.1f} in 95 % of the picture: {self.verdict}.")
+        return f"{said} {self.said_of_standard()}".strip()
+
+    def said_of_standard(self) -> str:
+        """How far off Standard is where that is more than the formula; "" where it is not."""
+        new, old = self.standard["exact"], self.standard["blender-4.5"]
+        if max(new, old) < self.mean + SEEN:
+            return ""
+        return (f"In Standard it is {new:.2f}" + (f", in Blender 4.5 {old:.2f}" if abs(new - old) > SEEN else "")
+                + "; Reference is the formula itself.")
 
     def to_dict(self) -> dict[str, Any]:
         """The same as dicts, lists, numbers and texts, ready for JSON; without the images."""
@@ -85,7 +100,7 @@ class Fit:
             "file": self.file, "title": self.title, "format": self.form, "model": self.model, "fresnel": self.fresnel,
             "parameters": self.parameters.to_dict(), "light": HELD_OUT,
             "delta_e_2000": {"mean": self.mean, "p95": self.p95},
-            "worst": {"view_degrees": self.worst_degrees, "delta_e_2000": self.worst},
+            "standard": dict(self.standard), "worst": {"view_degrees": self.worst_degrees, "delta_e_2000": self.worst},
             "samples": {"used": self.used, "rejected": self.rejected}, "verdict": self.verdict,
             "tried": dict(self.tried), "notes": list(self.notes)}
 
@@ -119,7 +134,9 @@ def report_of(measurement, form, p, brdf, ball, tried):
     reason = REASONS[_cause(ball, difference, exposed)] if mean > POOR else ""
     return Fit(
         measurement.name, measurement.title, measurement.form, form.model.name, form.name, parameters, mean,
-        _percentile(difference, ball.area), _kept(np.degrees(ball.theta[worst])), _kept(by_ring[worst]),
+        _kept(below(difference, ball.area)), _kept(np.degrees(ball.theta[worst])), _kept(by_ring[worst]),
+        {formula: _kept(ball.mean(ball.differences(measured, form.standard(parameters, ball.v, ball.l, formula),
+                                                   HELD_OUT))) for formula in FORMULAS},
         len(measurement.samples.v), measurement.rejected, reason, {name: _kept(x) for name, x in tried.items()},
         measurement.notes, exposed)
 
@@ -127,13 +144,6 @@ def report_of(measurement, form, p, brdf, ball, tried):
 def _kept(x):
     """Four decimals: the last bits hang on the machine."""
     return round(float(x), 4)
-
-
-def _percentile(values, area, share=0.95):
-    """What a share of the area is below."""
-    order = np.argsort(values, axis=None)
-    place = np.searchsorted(np.cumsum(area.ravel()[order]), share)
-    return _kept(values.ravel()[order][min(place, values.size - 1)])
 
 
 def _cause(ball, difference, exposed):

@@ -20,14 +20,18 @@ __all__ = ["BEST", "fit", "fit_steps"]
 BEST = "best"
 STOPPED = "The fit was stopped."
 FITTED_BALL, SHOWN_BALL = (12, 24, 32, 24), (20, 48, 48, 48)
-SAMPLE_ROUNDS, IMAGE_ROUNDS = 60, 16
+SAMPLE_ROUNDS, STRAIGHT_ROUNDS, IMAGE_ROUNDS = 60, 10, 16
 LEAST_GAIN = 3e-5
 STIFFNESS = 1.0
 """What bends of 1 in a curve count, in what cannot be fitted."""
 EXACT = 1e-9
 """Share of all that samples hold that a search leaves of them where they are the model's own."""
 WORTH_IT = 0.95
-"""A form with more numbers is taken where it leaves less than this of the colour difference."""
+"""A form with more numbers is taken where it leaves less than this of the colour difference that is shown."""
+LEAST_PEAK = 0.05
+"""Of the other's peak of D; below, a highlight is gone."""
+NEWEST = "exact"
+"""The conductor Fresnel of the renderer that it is shown by."""
 
 
 def fit(measured, *, progress=None, **options):
@@ -54,7 +58,7 @@ def fit_steps(measured, *, fresnel=BEST, slopes=2, distribution="beckmann"):
     """A generator of the share that is done, which returns the Fit.
 
     fresnel       "f0", "n_k", "curve", or "best": the simplest of which no other is clearly better
-    slopes        1 to 3; a curve has one
+    slopes        1 to 3; a curve has at most two
     distribution  "beckmann" or "gaussian"; a curve has Beckmann's
     """
     choice("fresnel", fresnel, (BEST, *form_names()))
@@ -65,16 +69,26 @@ def fit_steps(measured, *, fresnel=BEST, slopes=2, distribution="beckmann"):
     for i, form in enumerate(forms):
         found = yield from _within(_fitted(form, measurement, best), i / len(forms), 1.0 / len(forms))
         tried[names[i]] = found.difference
-        if best is None or found.difference < WORTH_IT * best.difference:
+        if best is None or found.is_clearly_closer(best):
             best = found
     return report_of(measurement, best.form, best.p, best.brdf, ball(*SHOWN_BALL), tried)
 
 
 class _Searched:
-    """A form, its numbers, the BRDF that it is held against, and the mean colour difference from that."""
+    """A form, its numbers, the BRDF that it is held against, and the mean colour difference from that: its own, and
+    what is shown where that is more, by Standard.
+    """
 
-    def __init__(self, form, p, brdf, difference):
-        self.form, self.p, self.brdf, self.difference = form, p, brdf, difference
+    def __init__(self, form, p, brdf, image):
+        self.form, self.p, self.brdf = form, p, brdf
+        self.difference = image.difference(form.evaluate(p, image.v, image.l))
+        standard = form.standard(form.checked(p), image.v, image.l, NEWEST)
+        self.shown = max(self.difference, image.difference(standard))
+
+    def is_clearly_closer(self, other):
+        """Than one with fewer numbers, and not at the price of the gloss, which is little of a picture."""
+        keeps_gloss = self.form.peak(self.p) > LEAST_PEAK * other.form.peak(other.p)
+        return keeps_gloss and self.shown < WORTH_IT * other.shown
 
 
 def _within(steps, start, part):
@@ -96,7 +110,7 @@ def _fitted(form, measurement, other):
         found = yield from _counted(problem, start, SAMPLE_ROUNDS, i / whole, 1.0 / whole)
         if best is None or found.cost < best.cost:
             best = found
-    best = yield from _straightened(problem, best, SAMPLE_ROUNDS, 1.0 - 2.0 / whole, 1.0 / whole)
+    best = yield from _straightened(problem, best, STRAIGHT_ROUNDS, 1.0 - 2.0 / whole, 1.0 / whole)
     shown = ball(*FITTED_BALL)
     p, brdf = best.parameters, measurement.brdf
     if brdf is None:  # points alone: between them there is what the fit says, and how far the nearest are from it
@@ -106,8 +120,8 @@ def _fitted(form, measurement, other):
         begin = min([p, *like_other], key=lambda p: np.sum(image.residuals(p) ** 2))
         found = yield from _counted(image, begin, IMAGE_ROUNDS, 1.0 - 1.0 / whole, 0.5 / whole)
         found = yield from _straightened(image, found, IMAGE_ROUNDS, 1.0 - 0.5 / whole, 0.5 / whole)
-        p, image.stiffness = found.parameters, 0.0
-    return _Searched(form, p, brdf, float(np.sum(image.residuals(p) ** 2)) ** 0.5)
+        p = found.parameters
+    return _Searched(form, p, brdf, image)
 
 
 def _straightened(problem, found, rounds, first, part):

@@ -8,7 +8,7 @@ Radians; unit vectors ``(N, 3)``, the normal along z.
 
 import numpy as np
 
-__all__ = ["angles_of", "directions_of", "grid", "solid_angle"]
+__all__ = ["STEEPEST", "angles_of", "directions_of", "grid", "solid_angle"]
 
 STEEPEST = np.radians(80.0)
 """Of the grid: towards grazing measurements are hardly any."""

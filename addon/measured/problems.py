@@ -82,6 +82,10 @@ class ImageProblem(_Problem):
         self._roots = np.linalg.cholesky(colour_metric(seen, lab(seen)))
         self._root_area = np.sqrt(np.tile(ball.area.ravel(), len(FITTED)) / len(FITTED))[:, None]
 
+    def difference(self, f):
+        """Mean colour difference of a BRDF of v and l, ``(N, 3)``: the root of the residuals' squares."""
+        return float(np.sum(self._weighed(self._coordinates(f) - self.reference) ** 2)) ** 0.5
+
     def _coordinates(self, f):
         return np.concatenate([displayed(self._ball.image(light, f), exposure).reshape(-1, 3)
                                for light, exposure in self._exposures.items()])

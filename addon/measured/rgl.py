@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import FacetFilmError
 from .bilinear import Density, Table
-from .half_difference import grid
+from .half_difference import STEEPEST, grid
 from .measurement import Measurement, Samples, require_values
 from .tensor_file import MAGIC, fields_of
 
@@ -37,11 +37,7 @@ class Rgl:
 
         Dupuy and Jakob 2018, equations (10) to (13); θm, φm are those of the half vector.
         """
-        m = v + l
-        m = m / np.linalg.norm(m, axis=-1, keepdims=True)
-        theta_i, theta_m = _elevation(v), _elevation(m)
-        turn = (np.arctan2(m[:, 1], m[:, 0]) - np.arctan2(v[:, 1], v[:, 0]) + np.pi) / (2.0 * np.pi)
-        at_m = np.stack([_unit(theta_m), turn - np.floor(turn)], axis=-1)
+        at_m, theta_i = self._place(v, l)
         found = self._rgb.at(self._visible.inverted(at_m, theta_i), theta_i)
         if self._scaled:
             at_i = np.stack([_unit(theta_i), np.zeros_like(theta_i)], axis=-1)
@@ -49,22 +45,52 @@ class Rgl:
         above = (v[:, 2] > 0.0) & (l[:, 2] > 0.0)
         return np.where(above[:, None], np.maximum(found, 0.0), 0.0)
 
+    def entries(self, v, l):
+        """(V, L) of the file's own entries nearest to directions ``(N, 3)``, ``(M, 3)`` each, and which is for which,
+        ``(N,)``.
+        """
+        angles, (rows, columns) = self._rgb.angles, self._rgb.values.shape[1:3]
+        at_m, theta_i = self._place(v, l)
+        part = np.argmin(np.abs(theta_i[:, None] - angles), axis=1)
+        last = np.array([columns - 1, rows - 1])
+        node = np.rint(self._visible.inverted(at_m, angles[part]) * last).astype(int)
+        one, which = np.unique(np.column_stack([part, node]), axis=0, return_inverse=True)
+        place = self._visible.drawn(one[:, 1:] / last, one[:, 0])
+        v, m = _direction(angles[one[:, 0]], 0.0), _direction(place[:, 0] ** 2 * np.pi / 2.0,
+                                                              (place[:, 1] * 2.0 - 1.0) * np.pi)
+        return v, 2.0 * np.sum(v * m, axis=-1, keepdims=True) * m - v, which.ravel()
+
     def brdf(self, v, l):
         """f in 1/sr, ``(N, 3)``."""
         return self.f_cos(v, l) / np.maximum(l[:, 2:], LEAST_COSINE)
+
+
+    def _place(self, v, l):
+        """Where the half vectors are in the warp's square, ``(N, 2)``, and θi."""
+        m = v + l
+        m = m / np.linalg.norm(m, axis=-1, keepdims=True)
+        turn = (np.arctan2(m[:, 1], m[:, 0]) - np.arctan2(v[:, 1], v[:, 0]) + np.pi) / (2.0 * np.pi)
+        return np.stack([_unit(_elevation(m)), turn - np.floor(turn)], axis=-1), _elevation(v)
 
 
 def read_rgl(data, name):
     """The Measurement of a .bsdf file's bytes.  Raises FacetFilmError for anisotropic, spectral and damaged ones."""
     fields = fields_of(data, name)
     _require_isotropic_rgb(fields, name)
-    brdf = Rgl(fields).brdf
-    v, l, weight = grid()
-    f = brdf(v, l)
+    rgl = Rgl(fields)
+    samples, rejected = _samples(rgl)
     title = fields["description"].tobytes().decode("utf-8", "replace").strip() if "description" in fields else ""
-    good = np.all(np.isfinite(f), axis=-1) & np.any(f > 0.0, axis=-1)
-    samples = Samples(v[good], l[good], f[good], weight[good] / weight[good].sum())
-    return Measurement(name, title or name.rsplit(".", 1)[0], "RGL", samples, int((~good).sum()), brdf)
+    return Measurement(name, title or name.rsplit(".", 1)[0], "RGL", samples, rejected, rgl.brdf)
+
+
+def _samples(rgl):
+    """(Samples, how many are left out): entries near the grid that fits sample, as what is between them is a guess."""
+    v, l, weight = grid()
+    v, l, which = rgl.entries(v, l)
+    f, weight = rgl.brdf(v, l), np.bincount(which, weight)
+    wanted = np.minimum(v[:, 2], l[:, 2]) > np.cos(STEEPEST)
+    good = wanted & np.all(np.isfinite(f), axis=-1) & np.any(f > 0.0, axis=-1)
+    return Samples(v[good], l[good], f[good], weight[good] / weight[good].sum()), int(np.sum(wanted & ~good))
 
 
 def _require_isotropic_rgb(fields, name):
@@ -86,6 +112,11 @@ def _require_isotropic_rgb(fields, name):
         raise FacetFilmError("{file!r} has tables of the wrong dimensions: download it again.", file=name)
     for field in ("rgb", "vndf", "ndf", "sigma"):
         require_values(fields[field], name)
+
+
+def _direction(theta, phi):
+    return np.stack(np.broadcast_arrays(np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)),
+                    axis=-1)
 
 
 def _elevation(x):

@@ -9,7 +9,7 @@ import numpy as np
 
 __all__ = ["UP", "Form", "Guess"]
 
-SMOOTHEST, ROUGHEST = 0.004, 1.0
+SMOOTHEST = 0.004
 LEAST_SHARE, MOST_SHARE = 1e-3, 0.9995
 MOST_LOGIT = 7.0
 UP = np.array([0.0, 0.0, 1.0])
@@ -43,12 +43,14 @@ class Form:
     low, high     bounds of the numbers, ``(P,)``
     groups        the numbers that change f independently of each other: of a colour, each its channel
     tried         how many starts are
+    roughest      the largest slope
     """
 
     name = ""
     low_f: tuple = ()
     high_f: tuple = ()
     most_slopes = 3
+    roughest = 1.0
     tried = 2
 
     def __init__(self, model, slopes, distribution):
@@ -57,8 +59,8 @@ class Form:
         more = self.slopes - 1
         self.low = np.r_[np.zeros(3), np.repeat(self.low_f, 3), np.log(LEAST_SHARE), np.log(SMOOTHEST),
                          [np.log(SMOOTHEST), -MOST_LOGIT] * more]
-        self.high = np.r_[np.ones(3), np.repeat(self.high_f, 3), np.log(MOST_SHARE), np.log(ROUGHEST),
-                          [np.log(ROUGHEST), MOST_LOGIT] * more]
+        self.high = np.r_[np.ones(3), np.repeat(self.high_f, 3), np.log(MOST_SHARE), np.log(self.roughest),
+                          [np.log(self.roughest), MOST_LOGIT] * more]
         colours = [range(3 * row, 3 * row + 3) for row in range(1 + self.rows)]
         self.groups = [*map(tuple, colours), *((i,) for i in range(3 * (1 + self.rows), len(self.low)))]
 
@@ -67,11 +69,9 @@ class Form:
 
         kept  function of a number -> what is kept of it
         """
-        rows, (share, *pairs) = self._rows(p), p[3 + 3 * self.rows:]
-        m = np.exp([pairs[0], *pairs[1::2]])
-        w = np.exp([0.0, *pairs[2::2]])
+        rows, share, (m, w) = self._rows(p), p[3 + 3 * self.rows], self._slopes(p)
         order = np.argsort(m)
-        w = [kept(x) for x in (w / w.sum())[order[:-1]]]
+        w = [kept(x) for x in w[order[:-1]]]
         slopes = tuple(zip(map(kept, m[order]), (*w, kept(1.0 - sum(w)))))
         return {"diffuse": tuple(map(kept, p[:3])), "specular": kept(np.exp(share)), **self.fresnel(rows, kept),
                 **self.facets(slopes, kept)}
@@ -108,6 +108,13 @@ class Form:
         """Model.evaluate of the numbers, ``(N, 3)``; the normal is z."""
         return self.model.evaluate(self.checked(p), UP, v, l)
 
+    def standard(self, parameters, v, l, formula):
+        """What Standard renders of the model's parameters, ``(N, 3)``.
+
+        formula  the conductor Fresnel of the renderer's closures, a name of addon.bake.baking.FORMULAS
+        """
+        return self.model.evaluate(parameters, UP, v, l)
+
     def starts(self, guess):
         """The numbers to start from, of a Guess."""
         found = []
@@ -126,6 +133,17 @@ class Form:
             return None
         f0 = form.reflectance_of(form._rows(p))
         return np.clip(np.r_[p[:3], self.rows_of(f0).ravel(), p[3 + 3 * form.rows:]], self.low, self.high)
+
+    def peak(self, p):
+        """D of all slopes where facets lie flat, Σ w/m²."""
+        m, w = self._slopes(p)
+        return float(np.sum(w / (m * m)))
+
+    def _slopes(self, p):
+        """m and w of each slope, ``(S,)``; Σw = 1."""
+        pairs = p[4 + 3 * self.rows:]
+        w = np.exp([0.0, *pairs[2::2]])
+        return np.exp([pairs[0], *pairs[1::2]]), w / w.sum()
 
     def _rows(self, p):
         return p[3:3 + 3 * self.rows].reshape(-1, 3)

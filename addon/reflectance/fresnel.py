@@ -10,7 +10,8 @@ from ..operands import clip, less, maximum, minimum, part, power, sqrt, term, wh
 
 __all__ = [
     "conductor", "conductor_blender_4_5", "dielectric", "index_from_normal", "dielectric_from_normal",
-    "schlick", "f82", "f82_unclamped", "f82_tint_of", "cheap_colour_shift", "tinted", "COS_THETA_82", "F82_LOBE",
+    "conductor_from_normal", "schlick", "f82", "f82_unclamped", "f82_tint_of", "cheap_colour_shift", "tinted",
+    "COS_THETA_82", "F82_LOBE",
 ]
 
 COS_THETA_82 = 1.0 / 7.0
@@ -128,6 +129,30 @@ def dielectric_from_normal(cos_theta, f0):
     1.0
     """
     return dielectric(cos_theta, index_from_normal(f0))
+
+
+@term("n, k")
+def conductor_from_normal(f0, edge):
+    """n and k of a body that reflects f0 at normal incidence, and towards grazing the more the larger `edge` is.
+
+    f0    reflectance at normal incidence, above 0 and below 1
+    edge  [0, 1]: at 0 k is 0, as of a dielectric; at 1 n² + k² is 1, which is where F rises soonest
+
+    n = g n_least + (1 − g) n_greatest, n_least = (1 − F0)/(1 + F0), n_greatest = (1 + √F0)/(1 − √F0), and k of
+    4n/(1 − F0) = (n + 1)² + k².  O. Gulbrandsen, "Artist Friendly Metallic Fresnel", Journal of Computer Graphics
+    Techniques 3(4), 2014, equations 13 and 14 with g turned round.
+
+    >>> [round(float(x), 6) for x in conductor_from_normal(0.04, 0.0)]
+    [1.5, 0.0]
+    >>> n, k = conductor_from_normal(0.5, 1.0)
+    >>> round(float(n * n + k * k), 6), round(float(conductor(1.0, n, k)), 6)
+    (1.0, 0.5)
+    """
+    lost = 1.0 - f0
+    least, most = _indices(lost)
+    n = most + edge * (least - most)
+    n_1 = n + 1.0
+    return n, sqrt(maximum(4.0 * n / lost - n_1 * n_1, 0.0))
 
 
 @term("F Schlick")

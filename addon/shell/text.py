@@ -146,6 +146,7 @@ def fitted(fit):
     tried = ", ".join(f"{name} {difference:.2f}" for name, difference in fit.tried.items())
     facts = [("colour", f"CIEDE2000 {fit.mean:.2f} on average, below {fit.p95:.1f} in 95 % of the picture, in a light "
                         "that was not fitted to"),
+             ("in Standard", f"{fit.standard['exact']:.2f}; in Blender 4.5 {fit.standard['blender-4.5']:.2f}"),
              ("worst", f"{fit.worst:.1f} where it is seen {fit.worst_degrees:.0f}° from its normal"),
              ("samples", samples), ("tried", f"{tried}, in the lights that were fitted to"),
              ("verdict", fit.verdict), *(("read as", note) for note in fit.notes)]

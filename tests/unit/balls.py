@@ -4,6 +4,7 @@ import numpy as np
 
 from addon.bake.colour import delta_e_2000, lab
 from addon.measured.ball import ball, displayed
+from addon.measured.forms import form_of
 from addon.measured.lights import HELD_OUT, LIGHTS
 from addon.measured.picture import seen_at
 
@@ -40,6 +41,12 @@ def images_of(fit, brdf):
     measured = shown.image(HELD_OUT, shown.of_brdf(brdf))
     scale = fit.images[0].sum() / measured.sum()
     return measured, fit.images[1] / scale, scale
+
+
+def standard_of(fit, formula):
+    """The rings of the fitted ball as Standard renders it by a conductor Fresnel, as :func:`images_of` has them."""
+    shown = ball(20, 48, 48, 48)
+    return shown.image(HELD_OUT, form_of(fit.fresnel).standard(fit.parameters, shown.v, shown.l, formula))
 
 
 def difference(first, second, inside, exposure):

@@ -23,7 +23,7 @@ FRESNEL_ITEMS = (
     ("best", "Best", "The simplest of the others of which no other comes clearly closer"),
     ("f0", "F0", "A dielectric's, by its reflectance at normal incidence"),
     ("n_k", "n and k", "A conductor's, by its complex refractive index"),
-    ("curve", "Curve", "Free over the angle, for colours that change with it; with one slope"),
+    ("curve", "Curve", "Free over the angle, for colours that change with it; with two slopes at most"),
 )
 DISTRIBUTION_ITEMS = (("beckmann", "Beckmann", "Cook and Torrance's own choice, with a wider foot"),
                       ("gaussian", "Gaussian", "As published beside it"))

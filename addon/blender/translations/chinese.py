@@ -368,8 +368,8 @@ TEXTS = {
         "正在拟合 {:s}：{:d} %   （Esc 停止）",
     "Form":
         "格式",
-    "Free over the angle, for colours that change with it; with one slope":
-        "随角度自由变化，用于随角变色的表面；只有一个斜率",
+    "Free over the angle, for colours that change with it; with two slopes at most":
+        "随角度自由变化，用于随角变色的表面；最多两个斜率",
     "Fresnel":
         "菲涅耳",
     "Fresnel Ramp":

@@ -375,8 +375,8 @@ TEXTS = {
         "{:s} wird angepasst: {:d} %   (Esc bricht ab)",
     "Form":
         "Form",
-    "Free over the angle, for colours that change with it; with one slope":
-        "Frei über dem Winkel, für Farben, die sich mit ihm ändern; mit einer Steigung",
+    "Free over the angle, for colours that change with it; with two slopes at most":
+        "Frei über dem Winkel, für Farben, die sich mit ihm ändern; mit höchstens zwei Steigungen",
     "Fresnel":
         "Fresnel",
     "Fresnel Ramp":

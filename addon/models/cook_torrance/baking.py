@@ -14,7 +14,7 @@ from ..realisations import REALISATIONS
 from .formulas import dyed
 from .parameters import CookTorrance
 
-__all__ = ["bake_for", "diffuse_colour", "facts", "look", "respaced"]
+__all__ = ["bake_for", "diffuse_colour", "facts", "look", "native_fresnel", "respaced"]
 
 FAR_OFF = 1.0
 """CIEDE2000 from which a conductor's fit is given up where F82 comes closer."""
@@ -61,21 +61,25 @@ def _as_stated(preset, realisation, renderer):
         surface = CookTorrance(**stated)
     variant = BY_CONDUCTOR
     if REALISATIONS[realisation].native and renderer.formula != "exact":
-        variant = _closer(np.array(surface.n), np.array(surface.k), renderer)
+        variant, _ = native_fresnel(np.array(surface.n), np.array(surface.k), renderer)
     facts_ = {"name": preset.name, "title": preset.title, "kind": preset.kind, "note": preset.note}
     return Baked(stated, facts_, variant)
 
 
-def _closer(n, k, renderer):
-    """Which closure's curve is closer to the exact one of n and k."""
+def native_fresnel(n, k, renderer):
+    """(variant, function of (cos θ, n, k)): the closure whose curve is closer to the exact one of n and k."""
     c = ANGLES[COMPARED, None]
-    exact = fresnel.conductor(c, n, k)
+    exact = lab(fresnel.conductor(c, n, k), renderer.space)
+    curves = {BY_CONDUCTOR: FORMULAS[renderer.formula], BY_F82: _by_f82}
+    off = {variant: largest_delta_e(curve(c, n, k), exact, renderer.space) for variant, curve in curves.items()}
+    variant = BY_CONDUCTOR if off[BY_CONDUCTOR] <= off[BY_F82] else BY_F82
+    return variant, curves[variant]
+
+
+def _by_f82(cos_theta, n, k):
     f0 = fresnel.conductor(1.0, n, k)
     tint = fresnel.f82_tint_of(f0, fresnel.conductor(fresnel.COS_THETA_82, n, k))
-    by_f82 = fresnel.f82(c, np.clip(f0, 0.0, 1.0), np.clip(tint, 0.0, 1.0))
-    off = [largest_delta_e(curve, lab(exact, renderer.space), renderer.space)
-           for curve in (FORMULAS[renderer.formula](c, n, k), by_f82)]
-    return BY_CONDUCTOR if off[0] <= off[1] else BY_F82
+    return fresnel.f82(cos_theta, np.clip(f0, 0.0, 1.0), np.clip(tint, 0.0, 1.0))
 
 
 def facts(resolved, baked):

@@ -159,11 +159,12 @@ def dyed(parameters):
     return (*tinted(np.array(parameters.n), np.array(parameters.k), tint), tint * np.array(parameters.diffuse))
 
 
-def evaluate(parameters, n, v, l, tangent=None):
+def evaluate(parameters, n, v, l, tangent=None, fresnel=conductor):
     """The whole BRDF of a CookTorrance, ``(..., 3)`` in 1/sr: what its materials render.
 
     n, v, l  unit normal and directions to the viewer and to the light, ``(..., 3)``
     tangent  what anisotropy is along before it is rotated, ``(..., 3)``; by default around the z axis, as on a ball
+    fresnel  function of (cos θ, n, k)
 
     >>> from .parameters import CookTorrance
     >>> up = np.array([0.0, 0.0, 1.0])
@@ -177,7 +178,7 @@ def evaluate(parameters, n, v, l, tangent=None):
     return cook_torrance(n, v, l, slopes=p.slopes, index=index, extinction=extinction, s=p.specular,
                          normal_reflectance=normal_reflectance, distribution=p.distribution,
                          scale=PUBLISHED if p.scale == "published" else ENERGY, printed_c=p.gaussian_c,
-                         anisotropy=p.anisotropy, tangent=tangent)
+                         anisotropy=p.anisotropy, tangent=tangent, fresnel=fresnel)
 
 
 def reflected(lights, n, v, brdf, *, ambient=0.0, ambient_reflectance=0.0, unblocked=1.0):

@@ -41,16 +41,24 @@ def build(builder):
     with builder.frame("Width > 0"):
         has_width = less(0.0, surface.sockets.width)
         has_native = has_width * (1.0 - less(0.0, surface.sockets.anisotropy))
-    share, lean = native_lobe(surface.n_v, surface.m)
-    middle, floor = looks(surface.n_v, surface.m, surface.look)
+    first = _lobes(surface, surface.m, has_native)
+    with builder.frame("Slope 2"):
+        second = _lobes(surface, surface.second, has_native)
+    builder.output("BSDF", surface.closures(surface.mixed(first, second), reflected=surface.look(surface.n_v)))
+
+
+def _lobes(surface, m, has_native):
+    """The lobe about a drawn facet, and the native one under it."""
+    builder = surface.builder
+    share, lean = native_lobe(surface.n_v, m)
+    middle, floor = looks(surface.n_v, m, surface.look)
     with builder.frame("Native lobe"):
         native = floor * widen(has_native * HEADROOM * share)
-        under = surface.glossy(native, surface.n + widen(lean) * surface.v, sqrt(native_slope(surface.m)))
+        under = surface.glossy(native, surface.n + widen(lean) * surface.v, sqrt(native_slope(m)))
     with builder.frame("Roulette"):
         probability = where(has_native, _kept(middle, share, floor), 1.0)
         shown = less(builder.random(ROULETTE), probability)
-    drawn = builder.scale_shader(shown, _drawn(surface, has_native, native, lean, probability))
-    builder.output("BSDF", surface.closures(drawn, under, reflected=surface.look(surface.n_v)))
+    return builder.scale_shader(shown, _drawn(surface, m, has_native, native, lean, probability)), under
 
 
 def looks(n_v, m, look):
@@ -77,9 +85,9 @@ def _brightest(colour):
     return maximum(x_of(colour), y_of(colour), z_of(colour))
 
 
-def _drawn(surface, has_native, native, lean, probability):
+def _drawn(surface, m, has_native, native, lean, probability):
     """The Glossy BSDF about a drawn facet, with what the native lobe leaves of f."""
-    builder, m, s = surface.builder, surface.m, surface.sockets
+    builder, s = surface.builder, surface.sockets
     with builder.frame("Draw"):
         tilt, azimuth, side = builder.three_randoms(FACET)
         longest, _ = along_across(m, s.anisotropy)

@@ -3,7 +3,9 @@
 import numpy as np
 
 from ...bake.film_curve import curve_in_words
-from ..fitted import Form
+from ...reflectance.film_facets import ROUGHEST_FITTED
+from ..fitted import UP, Form
+from .formulas import standard
 
 __all__ = ["DEGREES", "Curve"]
 
@@ -13,15 +15,24 @@ BEND_WEIGHTS = np.array([1.0, 1.0, 1.0, 1.0, 0.3, 0.1])[:, None]
 
 
 class Curve(Form):
-    """F over the angle as the model's table has it, on facets of one slope; see addon.bake.film_curve."""
+    """F over the angle as the model's table has it, on facets of one slope or two; see addon.bake.film_curve."""
 
     name = "curve"
     low_f, high_f = (0.0,) * len(DEGREES), (1.0,) * len(DEGREES)
-    most_slopes = 1
+    most_slopes = 2
+    tried = 1
+    roughest = ROUGHEST_FITTED
 
     def facets(self, slopes, kept):
-        """Its roughness; a curve has no thickness."""
-        return {"roughness": kept(slopes[0][0] ** 0.5), "thickness": 0.0}
+        """Its roughness and the second slope; a curve has no thickness."""
+        found = {"roughness": kept(slopes[0][0] ** 0.5), "thickness": 0.0}
+        for m, w in slopes[1:]:
+            found.update(second_ratio=kept(m / slopes[0][0]), second_weight=kept(w))
+        return found
+
+    def standard(self, parameters, v, l, formula):
+        """The same in every Blender."""
+        return standard(parameters, UP, v, l)
 
     def fresnel(self, rows, kept):
         """The curve in words."""

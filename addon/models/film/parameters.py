@@ -112,6 +112,11 @@ TABLE = (
            subtype="FACTOR", realisations=("exact",),
            tip="0: the formula itself, by mirrors, lit only by what they happen to hit; above: narrow lobes, "
                "as a share of the slope, which lamps of any size light and which blur the formula a little"),
+    Number(name="second_ratio", symbol="m₂/m₁", socket="Slope Ratio 2", key="ratio2", default=3.0, low=0.001,
+           high=1000.0, panel="Slopes", never_zero=True,
+           tip="Rms slope m2 of this roughness over that of the first, m2/m1"),
+    Number(name="second_weight", symbol="w₂", socket="Weight 2", key="w2", default=0.0, low=0.0, high=1.0,
+           subtype="FACTOR", panel="Slopes", tip="Share w2 of this slope; the shares of all slopes sum to 1"),
     TableSlider(name="first", socket="First Thickness", default=0.0, low=0.0, high=THICKEST, unit="nm",
                 tip="Thickness of the table's first column"),
     TableSlider(name="last", socket="Last Thickness", default=200.0, low=0.0, high=THICKEST, unit="nm",

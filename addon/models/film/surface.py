@@ -3,14 +3,14 @@
 from ...operands import clip, dot, less, maximum, minimum, sqrt, vector, where, widen
 from ...reflectance.directions import facing
 from ..parameters import add_inputs
-from .formulas import slope
+from .formulas import second_slope, slope
 from .parameters import TABLE
 
 __all__ = ["Surface"]
 
 
 class Surface:
-    """A film under its sockets' settings: sockets, n and v, N·V, the rms slope m, the tangent before it is turned.
+    """A film under its sockets' settings: sockets, n and v, N·V, the rms slopes, the tangent before it is turned.
 
     realisation  whose sockets it has
     closest      whether each look blends four pixels itself, for renderers that blur images where the place
@@ -25,6 +25,7 @@ class Surface:
         self.n_v = minimum(dot(self.n, self.v), 1.0)
         with builder.frame("Rms slope"):
             self.m = slope(self.sockets.roughness)
+            self.second = second_slope(self.m, self.sockets.ratio2)
         with builder.frame("Frame"):
             # The nodes of a tangent that nothing turns on fold away.
             self.tangent = where(less(0.0, self.sockets.anisotropy), builder.tangent(self.sockets.tangent),
@@ -39,6 +40,17 @@ class Surface:
             self._refracts = 0.0 if closest else less(1.0, s.ior_below) * (1.0 - straight)
             back = builder.node("ShaderNodeNewGeometry", output="Backfacing")
             self._inside = where(self._refracts * back, s.ior_below, 1.0)
+
+    def mean_square(self):
+        """The mean of both slopes' squares over that of the first."""
+        ratio, weight = self.sockets.ratio2, self.sockets.w2
+        return 1.0 + weight * (ratio * ratio - 1.0)
+
+    def mixed(self, first, second):
+        """The lobes of both slopes by their shares; where there is one, Cycles folds the other away."""
+        builder, weight = self.builder, self.sockets.w2
+        return builder.add_shaders(builder.scale_shader(1.0 - weight, builder.add_shaders(*first)),
+                                   builder.scale_shader(weight, builder.add_shaders(*second)))
 
     def look(self, c):
         """Colour of the film at cos θ; from within a body that refracts at the angle outside, or all of the light."""
@@ -83,12 +95,12 @@ class Surface:
         return self.builder.node("ShaderNodeMixShader", {"Fac": self._refracts, "Shader": straight,
                                                          "Shader_001": refracted})
 
-    def lobe(self, colour, normal):
-        """A dyed Beckmann lobe of the whole roughness, stretched along the tangent."""
+    def lobe(self, colour, normal, roughness):
+        """A dyed Beckmann lobe, stretched along the tangent."""
         s = self.sockets
         with self.builder.frame("mt, mb"):
             narrower = sqrt(1.0 - 0.9 * s.anisotropy) - 1.0
-        return self.glossy(colour, normal, s.roughness, Anisotropy=narrower, Rotation=s.rotation, Tangent=self.tangent)
+        return self.glossy(colour, normal, roughness, Anisotropy=narrower, Rotation=s.rotation, Tangent=self.tangent)
 
     def glossy(self, colour, normal, roughness, **inputs):
         """A dyed Beckmann lobe."""
