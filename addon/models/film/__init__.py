@@ -23,7 +23,8 @@ def _look(parameters, place=None):
 
 def _work_ahead(resolved, viewing, progress):
     from .tables import table_of
-    table_of(resolved.preset.parameters["stack"], viewing, progress=progress)
+    stated = resolved.preset.parameters
+    table_of(stated["stack"], viewing, own=stated.get("own_layers", ""), progress=progress)
 
 
 def _no_longer(parameters, baked):
@@ -88,7 +89,7 @@ MODEL = Model(
     evaluate=_evaluate,
     bake=_bake,
     look=_look,
-    baked_names=("stack",),
+    baked_names=("stack", "own_layers"),
     feeds=_feeds,
     read_feed=_read_feed,
     forms={
@@ -102,6 +103,7 @@ MODEL = Model(
     standin=_standin,
     sheet=lambda parameters: parameters.see_through > 0.0,
     made_of="stack",
+    own_data="own_layers",
     picture=_picture,
     work_ahead=_work_ahead,
     no_longer=_no_longer,
