@@ -70,10 +70,10 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Standard", 5, "fast.build",
+        Group("film_fast", "Film Standard", 6, "fast.build",
               "Films of measured layers, clean and fast: the one to take first",
               stand_in="film_eevee", pictured=True),
-        Group("film_exact", "Film Reference", 6, "exact.build",
+        Group("film_exact", "Film Reference", 7, "exact.build",
               "Films of measured layers, at the angle of every facet: slower and noisier, to compare with",
               stand_in="film_eevee", pictured=True),
         Group("film_eevee", "Film EEVEE", 5, "fast.build_eevee",
