@@ -251,5 +251,6 @@ def _builder(operands):
     for operand in operands:
         if hasattr(operand, "part_node"):
             return operand
-    node = _nodes(_with_members(operands))
+    lists = itertools.chain(*(operand for operand in operands if isinstance(operand, list)))
+    node = _nodes([*_with_members(operands), *lists])
     return None if node is None else node.builder

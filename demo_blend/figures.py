@@ -14,8 +14,8 @@ from pathlib import Path
 
 from .job import Clock, Job
 
-MODULES = ("show_metals", "show_films", "show_glass", "show_vases", "poster", "vases", "twelve_vases", "watch", "plots",
-           "layers", "gallery", "finishes", "clear", "spectrum", "tutorials", "side_by_side")
+MODULES = ("show_metals", "show_films", "show_glass", "show_paint", "show_vases", "poster", "vases", "twelve_vases",
+           "watch", "plots", "layers", "gallery", "finishes", "clear", "spectrum", "tutorials", "side_by_side")
 """Of demo_blend, each with FIGURES."""
 
 

@@ -10,7 +10,7 @@ from .pictures import column, labelled, row
 from .shapes import rounded_box
 from .studio import add_softbox, new_scene, set_sky
 
-MATERIALS = ("copper", "vinyl")
+MATERIALS = ("copper", "plastic_blue")
 SIDE = 140
 """Of an object's picture in pixels."""
 APART = 2.35

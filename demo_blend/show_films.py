@@ -160,4 +160,4 @@ def films(job):
     job.save_scene("show_films")
 
 
-FIGURES = (Figure("show_films", "Films: titanium, steel, soap, a beetle, a wafer", 500.0, films),)
+FIGURES = (Figure("show_films", "Films: titanium, steel, soap, a beetle, a wafer", 250.0, films),)

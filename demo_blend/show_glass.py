@@ -172,4 +172,4 @@ def glass(job):
     job.save_scene("show_glass")
 
 
-FIGURES = (Figure("show_glass", "Glass, water and gems on a window sill", 500.0, glass),)
+FIGURES = (Figure("show_glass", "Glass, water and gems on a window sill", 150.0, glass),)

@@ -112,4 +112,4 @@ def metals(job):
     job.save_scene("show_metals")
 
 
-FIGURES = (Figure("show_metals", "Metals and finishes on a table", 500.0, metals),)
+FIGURES = (Figure("show_metals", "Metals and finishes on a table", 300.0, metals),)

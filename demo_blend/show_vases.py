@@ -54,4 +54,4 @@ def _stage(job):
     return scene
 
 
-FIGURES = (Figure("show_vases", "The papers' vases, and today's", 250.0, vases),)
+FIGURES = (Figure("show_vases", "The papers' vases, and today's", 120.0, vases),)

@@ -179,4 +179,4 @@ def figure_8(job):
     job.save_scene("watch")
 
 
-FIGURES = (Figure("watch", "Cook and Torrance, figure 8: the watch", 60.0, figure_8),)
+FIGURES = (Figure("watch", "Cook and Torrance, figure 8: the watch", 90.0, figure_8),)

@@ -95,7 +95,7 @@ class FilmTable:
 
     def said(self):
         """One sentence on it."""
-        return f"{self.text}: largest CIEDE2000 of the table {self.delta_e_2000_max:.2f}."
+        return f"Largest CIEDE2000 of the table {self.delta_e_2000_max:.2f}."
 
     def curves(self, thicknesses_nm, cos_theta):
         """The linear RGB in the gamut of the spectra at even thicknesses ``(D,)`` and cos θ ``(A,)``, ``(D, A, 3)``."""

@@ -24,23 +24,25 @@ _at_work, _shown, _asked = [], [], []
 
 def made_of(material):
     """What a material is made of in words, or ""."""
-    node, model = our_node(material), model_of(material)
-    if node is None or not model.made_of:
-        return ""
-    return values_of_image(image_in(node.node_tree)).get(model.made_of, "")
+    model = model_of(material)
+    return _values(material).get(model.made_of, "") if model is not None and model.made_of else ""
+
+
+def _values(material):
+    return values_of_image(image_in(our_node(material).node_tree))
 
 
 def why_not(material, text):
     """Why a material of ours cannot be made of a text, as one sentence that names the place; or ""."""
-    return _why_not(model_of(material), text, bpy.app.translations.locale)
+    return _why_not(model_of(material), text, _values(material).get(model_of(material).own_data, ""),
+                    bpy.app.translations.locale)
 
 
 @functools.lru_cache(maxsize=64)
-def _why_not(model, text, _language):
-    from ..catalogue.resolving import resolve
+def _why_not(model, text, own, _language):
+    from ..catalogue.resolving import of_stack
     try:
-        model.parameters(**{model.made_of: text})
-        resolve(text)
+        of_stack(getattr(model.parameters(**{model.made_of: text}), model.made_of), own)
     except FacetFilmError as error:
         return error.said(rpt_)
     return ""

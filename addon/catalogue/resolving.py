@@ -1,5 +1,6 @@
 """What a word means: a preset, an alias, a dataset, a file or pasted text.  The only place that decides it."""
 
+import json
 import os
 from typing import NamedTuple
 
@@ -9,7 +10,10 @@ from ..spectra.optical_constants import OpticalConstants, dataset_of_address, lo
 from . import presets
 from .presets import Preset
 
-__all__ = ["Resolved", "layer", "require_measured", "resolve", "resolve_widely"]
+__all__ = ["Resolved", "layer", "layers_in", "of_stack", "require_measured", "resolve", "resolve_widely"]
+
+OWN = "file:"
+"""What the dataset of a measurement of the user's own begins with."""
 
 
 class Resolved(NamedTuple):
@@ -56,7 +60,7 @@ def resolve(what, choose=()):
     if "\n" in what:
         return resolve(readers.read_text(what, choose=choose))
     if is_stack(what):
-        return _of_stack(what)
+        return of_stack(what)
     if what.lower().endswith(readers.SUFFIXES) and not _is_address(what):
         return resolve(readers.read_file(what, choose))
     try:
@@ -121,22 +125,54 @@ def _named(word):
     return Resolved(preset, presets.constants(preset))
 
 
-def _of_stack(text):
-    """What the models have that is made of a stack of layers in words, checked; see addon.bake.stack_notation."""
+def of_stack(text, held=""):
+    """The Resolved of a stack of layers in words, checked; see addon.bake.stack_notation.
+
+    held  measurements of the user's own that stand for words of it, as :func:`layers_in` reads them: they go before
+          files, which may be on another computer
+
+    Its preset holds those that the stack has beside its words, so that it can be baked again where no file is.
+    """
     from .. import models
     from ..bake.film_curve import is_curve, knots_of
     from ..bake.stack_notation import parse, written
+    own = ""
     if is_curve(text):
         knots_of(text)
     else:
-        text = written(parse(text, layer))
+        stack = parse(text, layers_in(held))
+        text, own = written(stack), _own_layers(stack)
     model = next(model for model in models.all_models() if model.made_of == "stack")
-    return Resolved(Preset(text, text, "iridescent", model=model.name, parameters={model.made_of: text}), None)
+    parameters = {model.made_of: text, **({model.own_data: own} if own else {})}
+    return Resolved(Preset(text, text, "iridescent", model=model.name, parameters=parameters), None)
 
 
 def layer(word):
     """The OpticalConstants of a layer of a stack: a dataset, a file or a measured preset; FacetFilmError for others."""
     return require_measured(word).constants
+
+
+def layers_in(held):
+    """A look-up of layers as :func:`layer`, which knows measurements of the user's own first.
+
+    held  JSON, {word: fields of its OpticalConstants}; "" for none
+
+    >>> held = '{"my oxide": {"wavelength_nm": [400, 700], "n": [2.0, 1.9], "k": [0.0, 0.0], "dataset": "file:mine"}}'
+    >>> layers_in(held)("my oxide").at(550.0)[0].item()
+    1.95
+    """
+    own = {word: OpticalConstants(**fields) for word, fields in json.loads(held).items()} if held else {}
+    return lambda word: own[word] if word in own else layer(word)
+
+
+def _own_layers(stack):
+    """The JSON of what is the user's own of a Stack, or ""."""
+    own = {word: {"wavelength_nm": constants.wavelength_nm.tolist(), "n": constants.n.tolist(),
+                  "k": constants.k.tolist(), "dataset": constants.dataset, "title": constants.title,
+                  "citation": constants.citation, "licence": constants.licence, "range_nm": list(constants.range_nm),
+                  "has_k": constants.has_k, "normal_only": constants.normal_only}
+           for word, constants in stack.layers if constants.dataset.startswith(OWN)}
+    return json.dumps(own, ensure_ascii=False) if own else ""
 
 
 def _unnamed(constants):
@@ -146,4 +182,4 @@ def _unnamed(constants):
 
 
 def _is_dataset(identifier):
-    return identifier.count("/") >= 2 and not identifier.startswith("file:")
+    return identifier.count("/") >= 2 and not identifier.startswith(OWN)

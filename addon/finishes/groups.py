@@ -7,15 +7,15 @@ from ..models.model import Group
 __all__ = ["GROUPS", "build"]
 
 GROUPS = (
-    Group("finish_brushed", "Brushed", 2, "brushed.build", "Parallel streaks, for Roughness, Normal and Tangent"),
-    Group("finish_brushed_circular", "Brushed Circular", 2, "circular.build",
+    Group("finish_brushed", "Brushed", 3, "brushed.build", "Parallel streaks, for Roughness, Normal and Tangent"),
+    Group("finish_brushed_circular", "Brushed Circular", 3, "circular.build",
           "Streaks in circles, for Roughness, Normal and Tangent"),
-    Group("finish_sandblasted", "Sandblasted", 2, "sandblasted.build", "An even, fine grain, for Roughness and Normal"),
-    Group("finish_hammered", "Hammered", 2, "hammered.build", "Shallow dimples, for Roughness and Normal"),
-    Group("finish_cast", "Cast", 2, "cast.build", "The skin of a sand mould, for Roughness and Normal"),
-    Group("finish_scratched", "Scratched", 2, "scratched.build", "Fine scratches, for Roughness and Normal"),
-    Group("finish_smudged", "Smudged", 2, "smudged.build", "Fingerprints and wipe marks, for Roughness"),
-    Group("finish_worn_edges", "Worn Edges", 2, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
+    Group("finish_sandblasted", "Sandblasted", 3, "sandblasted.build", "An even, fine grain, for Roughness and Normal"),
+    Group("finish_hammered", "Hammered", 3, "hammered.build", "Shallow dimples, for Roughness and Normal"),
+    Group("finish_cast", "Cast", 3, "cast.build", "The skin of a sand mould, for Roughness and Normal"),
+    Group("finish_scratched", "Scratched", 3, "scratched.build", "Fine scratches, for Roughness and Normal"),
+    Group("finish_smudged", "Smudged", 3, "smudged.build", "Fingerprints and wipe marks, for Roughness"),
+    Group("finish_worn_edges", "Worn Edges", 3, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
 )
 """Every node group of a finish."""
 

@@ -7,8 +7,8 @@ from .place import COORDINATES, NORMAL, ROUGHNESS, depth, noise, place, scale
 __all__ = ["DRIVES", "TABLE", "build"]
 
 TABLE = (
-    ROUGHNESS, scale(110.0, "Grains"), depth(0.3, "How deep the grain is"),
-    uneven(0.25, "How much the roughness varies from place to place, as where the jet went over twice"),
+    ROUGHNESS, scale(45.0, "Grains"), depth(0.6, "How deep the grain is"),
+    uneven(0.3, "How much the roughness varies from place to place, as where the jet went over twice"),
     *COORDINATES, NORMAL)
 
 

@@ -10,13 +10,13 @@ __all__ = ["DRIVES", "TABLE", "build"]
 
 DRIVES = ("Roughness", "Normal")
 TABLE = (
-    ROUGHNESS, scale(5.0, "Scratches that could be side by side"),
-    depth(0.5, "How far the scratches tilt the surface"),
-    Slider(name="amount", socket="Amount", default=0.6, low=0.0, high=1.0, subtype="FACTOR",
+    ROUGHNESS, scale(4.0, "Scratches that could be side by side"),
+    depth(0.8, "How far the scratches tilt the surface"),
+    Slider(name="amount", socket="Amount", default=0.8, low=0.0, high=1.0, subtype="FACTOR",
            tip="How many of them there are"),
-    Slider(name="width", socket="Width", default=0.015, low=0.0001, high=1.0, never_zero=True,
+    Slider(name="width", socket="Width", default=0.03, low=0.0001, high=1.0, never_zero=True,
            tip="Width of a scratch, as a share of the distance to where the next could be"),
-    Slider(name="scuffed", socket="Scratch Roughness", default=0.45, low=0.0, high=1.0, subtype="FACTOR",
+    Slider(name="scuffed", socket="Scratch Roughness", default=0.6, low=0.0, high=1.0, subtype="FACTOR",
            tip="Roughness in the scratches"),
     *COORDINATES, NORMAL)
 

@@ -9,9 +9,9 @@ __all__ = ["DRIVES", "TABLE", "build"]
 DRIVES = ("Roughness",)
 TABLE = (
     ROUGHNESS, scale(2.2, "Fingerprints"),
-    Slider(name="greasy", socket="Smudge Roughness", default=0.45, low=0.0, high=1.0, subtype="FACTOR",
+    Slider(name="greasy", socket="Smudge Roughness", default=0.55, low=0.0, high=1.0, subtype="FACTOR",
            tip="Roughness where the surface is smudged"),
-    Slider(name="prints", socket="Fingerprints", default=0.45, low=0.0, high=1.0, subtype="FACTOR",
+    Slider(name="prints", socket="Fingerprints", default=0.6, low=0.0, high=1.0, subtype="FACTOR",
            tip="How many fingerprints there are"),
     Slider(name="wiped", socket="Wipe Marks", default=0.6, low=0.0, high=1.0, subtype="FACTOR",
            tip="How much was wiped over"),

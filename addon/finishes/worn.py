@@ -12,13 +12,13 @@ TABLE = (
     Colour(name="tint", socket="Tint", default=(1.0, 1.0, 1.0), low=0.0, high=1.0,
            tip="Colour that dyes the surface where it is rubbed bright; elsewhere it is darker"),
     scale(5.0, "Patches"),
-    Slider(name="edge", socket="Edge Width", default=0.15, low=0.0, high=1000.0,
+    Slider(name="edge", socket="Edge Width", default=0.25, low=0.0, high=1000.0,
            tip="How far from an edge the surface is rubbed, in scene units"),
-    Slider(name="bright", socket="Edge Roughness", default=0.25, low=0.0, high=1.0, subtype="FACTOR",
+    Slider(name="bright", socket="Edge Roughness", default=0.4, low=0.0, high=1.0, subtype="FACTOR",
            tip="Roughness where the surface is rubbed bright"),
-    Slider(name="tarnish", socket="Tarnish", default=0.55, low=0.0, high=1.0, subtype="FACTOR",
+    Slider(name="tarnish", socket="Tarnish", default=0.8, low=0.0, high=1.0, subtype="FACTOR",
            tip="How much darker the surface is where it is not rubbed"),
-    Slider(name="wear", socket="Wear", default=0.4, low=0.0, high=1.0, subtype="FACTOR",
+    Slider(name="wear", socket="Wear", default=0.5, low=0.0, high=1.0, subtype="FACTOR",
            tip="How much of the surface is rubbed bright: 0 the edges alone"),
     Slider(name="broken", socket="Unevenness", default=0.5, low=0.0, high=1.0, subtype="FACTOR",
            tip="How ragged the rubbed edges are"),
@@ -38,7 +38,7 @@ def build(builder):
     with builder.frame("Patches"):
         fine = noise(builder, at, 7.0 * s.scale, 4.0, 0.65)
         least = 0.68 - 0.16 * s.wear
-        patch = 0.75 * s.wear * band(coarse + 0.3 * (fine - 0.5), least, least + 0.1)
+        patch = s.wear * band(coarse + 0.3 * (fine - 0.5), least, least + 0.1)
     with builder.frame("Surface"):
         mask = maximum(edge * (0.7 + 0.3 * fine), patch)
         dull = s.roughness * (0.85 + 0.3 * fine)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..catalogue.resolving import resolve
+from ..catalogue.resolving import of_stack, resolve
 from ..errors import FacetFilmError, choice
 from . import DEFAULT, named, names
 from .finishing import under_finish
@@ -119,12 +119,13 @@ def of_other_words(record: Record, words: str, renderer: Renderer = ANY_RENDERER
     if not model.made_of:
         raise FacetFilmError("{material} is not made of what a text says: name a material of another model.",
                              material=record.title)
-    resolved = resolve(getattr(record.parameters.changed(**{model.made_of: words}), model.made_of))
+    words = getattr(record.parameters.changed(**{model.made_of: words}), model.made_of)
+    resolved = of_stack(words, getattr(record.parameters, model.own_data, ""))
     options = _viewing(model, resolved, renderer, _same(record, renderer))
     if model.work_ahead and progress:
         model.work_ahead(resolved, options, progress)
     baked = model.bake(resolved, options, record.realisation, renderer)
-    made_of = record.parameters.changed(**{model.made_of: baked.parameters[model.made_of]})
+    made_of = record.parameters.changed(**{name: baked.parameters[name] for name in model.baked_names})
     parameters = made_of.changed(**model.no_longer(made_of, baked))
     found = record.changed(parameters=parameters, source=_source(resolved), viewing=options, baked=baked.facts)
     return _with_group(found, model, baked.variant)
@@ -221,6 +222,8 @@ def _named_medium(medium):
 
 def _source(resolved):
     if not resolved.is_own:
-        return Source(resolved.preset.name)
+        model = resolved.preset.model and named(resolved.preset.model)
+        own = resolved.preset.parameters.get(model.own_data, "") if model else ""
+        return Source(resolved.preset.name, own)
     from ..export import spectrum_csv
     return Source(resolved.constants.dataset, spectrum_csv(resolved.constants))

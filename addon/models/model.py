@@ -165,6 +165,7 @@ class Model:
     sheet        function(parameters) -> whether a material is one sheet that light goes straight through, which EEVEE
                  has to be told, too
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
+    own_data      the parameter that holds the user's own measurements which those words name, as JSON; or ""
     picture       function(parameters, viewing options) -> the Picture of its pictured groups
     work_ahead    function(resolved preset, viewing options, progress) that works out what takes long of a bake, telling
                   progress the share that is done; None where nothing does
@@ -198,6 +199,7 @@ class Model:
     refracts: bool = False
     sheet: Callable = lambda parameters: False
     made_of: str = ""
+    own_data: str = ""
     picture: Callable | None = None
     work_ahead: Callable | None = None
     no_longer: Callable = lambda parameters, baked: {}

@@ -63,7 +63,7 @@ def _changed(model, record):
     numbers = [name for name in model.baked_names if name not in words]
     resolved = resolve(record.source.meant())
     was = _baked_then(model, record, resolved) if numbers else resolved.preset.parameters
-    return [name for name in words if getattr(record.parameters, name) != was[name]] + [
+    return [name for name in words if getattr(record.parameters, name) != was.get(name, "")] + [
         name for name in numbers if not _close(getattr(record.parameters, name), was[name])]
 
 

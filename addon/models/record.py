@@ -25,7 +25,8 @@ class Source:
     """What a material was baked from, so that it can be baked again.
 
     name  a preset's name or a dataset's id; of the user's own data what it is called
-    data  the user's own spectrum as CSV, or ""
+    data  the user's own spectrum as CSV, or those that a stack of layers names, as
+          :func:`addon.catalogue.resolving.layers_in` reads them; or ""
     """
 
     name: str
@@ -35,6 +36,10 @@ class Source:
         """What :func:`addon.catalogue.resolving.resolve` understands."""
         if not self.data:
             return self.name
+        from ..bake.stack_notation import is_stack
+        from ..catalogue.resolving import of_stack
+        if is_stack(self.name):
+            return of_stack(self.name, self.data)
         from ..spectra.readers import read_text
         return read_text(self.data, self.name.removeprefix(OWN_PREFIX))
 

@@ -133,8 +133,8 @@ class GroupBuilder:
     def part_inputs(self):
         """{name: identifier} of the inputs of a part, put into the order of its arguments."""
         found = {item.name: item for item in self.tree.interface.items_tree if item.in_out == "INPUT"}
-        for place, name in enumerate(name for name in self._possible if name in found):
-            self.tree.interface.move(found[name], place)
+        for name in reversed([name for name in self._possible if name in found]):
+            self.tree.interface.move(found[name], 0)
         return {name: item.identifier for name, item in found.items()}
 
     def part_output(self, name, operand):
@@ -224,12 +224,13 @@ class GroupBuilder:
         """A closure times a factor that is held to [0, 1]."""
         return self.node("ShaderNodeMixShader", {"Fac": factor, "Shader_001": shader})
 
-    def scale_shader_twofold(self, factor, shader):
-        """A closure times a factor that is held to [0, 2].
+    def scale_shader_twofold(self, half, shader):
+        """A closure times twice a factor that is held to [0, 1].
 
         Cycles adds the weights of a closure that is linked twice, and evaluates it once.
         """
-        return self.add_shaders(self.scale_shader(factor, shader), self.scale_shader(factor - 1.0, shader))
+        scaled = self.scale_shader(half, shader)
+        return self.add_shaders(scaled, scaled)
 
     @contextlib.contextmanager
     def frame(self, label):

@@ -128,13 +128,14 @@ def _built(builder, name, formula, gives, bound, leaves):
 
     def leave(path, leaf):
         label = next(labels, path[-1] if path else name)
+        number = "".join(f" {word}" for word in path[:-1] if not gives and word.isdigit())
         if not isinstance(leaf, NodeOperand):
             return leaf
         if isinstance(leaf.source, str):
             return Inside(argument=paths[leaf.source])
         if leaf.key() not in outputs:
             label = "BSDF" if leaf.kind == "SHADER" else shown_name(label)
-            outputs[leaf.key()] = Inside(inside.part_output(label, leaf), lasts=inside.lasts(leaf))
+            outputs[leaf.key()] = Inside(inside.part_output(label + number, leaf), lasts=inside.lasts(leaf))
         return outputs[leaf.key()]
 
     result = _mapped(given, (), leave)
@@ -143,16 +144,16 @@ def _built(builder, name, formula, gives, bound, leaves):
 
 
 def _socket_names(leaves):
-    """{path: name of its socket} of the leaves that get one, each another."""
+    """{path: name of its socket} of the leaves that get one, each another; whole arguments have theirs first."""
+    shown = [path for path, value in leaves.items() if isinstance(value, NodeOperand) or _is_number(value)]
     found = {}
-    for path, value in leaves.items():
-        if isinstance(value, NodeOperand) or _is_number(value):
-            words = [word for word in path if not word.isdigit()][-1:] + [word for word in path if word.isdigit()]
-            name = " ".join([shown_name(words[0]), *words[1:]])
-            if name in found.values():
-                name = " ".join(map(shown_name, path))
-            found[path] = name
-    return found
+    for path in sorted(shown, key=len):
+        words = [word for word in path if not word.isdigit()][-1:] + [word for word in path if word.isdigit()]
+        name = " ".join([shown_name(words[0]), *words[1:]])
+        found[path] = " ".join(map(shown_name, path)) if name in found.values() else name
+    if len(set(found.values())) < len(found):
+        raise ValueError(f"two arguments of a part would share a socket: {sorted(found.values())}")
+    return {path: found[path] for path in shown}
 
 
 def _mapped(value, path, change):

@@ -2,6 +2,7 @@
 
 import json
 import re
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -11,6 +12,9 @@ from addon import api
 from addon.bake import bake
 from addon.blender import compat
 from addon.blender.datablocks import fingerprints, groups, materials
+from addon.models.parameters import Socket
+from addon.nodes.builder import GroupBuilder
+from addon.operands import part
 from tests.render import probes
 from tools import build_groups, stamps
 
@@ -116,7 +120,7 @@ def nodes_of(tree):
 
 
 @pytest.mark.parametrize("identifier",
-                         [name for name in BUILT if name.startswith(("cook_torrance", "clear", "finish"))])
+                         [name for name in BUILT if name.startswith(("cook_torrance", "clear", "finish", "layer"))])
 def test_a_person_can_follow_every_level_of_a_group(identifier):
     """No node lies on another, nothing is too much at a time, and every part and socket is named."""
     for level in levels(groups.node_group(identifier)):
@@ -206,3 +210,14 @@ def test_a_saved_material_renders_the_same_without_the_extension(tmp_path):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "saved.blend"))
     assert np.allclose(probes.render(bpy.context.scene), before, atol=1e-6)
+
+
+def test_arguments_of_one_name_have_sockets_of_their_own():
+    """One of them within a namespace, whichever comes first."""
+    builder = GroupBuilder("Whole")
+    one, other = (builder.input(Socket(name, name, "FLOAT", 0.0, "")) for name in ("One", "Other"))
+    difference = part("Difference")(lambda pair, e: pair.e - e)
+    builder.output("Difference", difference(SimpleNamespace(e=one), other))
+    node = next(node for node in builder.finish().nodes if node.bl_idname == "ShaderNodeGroup")
+    assert [(socket.name, socket.links[0].from_socket.name) for socket in node.inputs] == [
+        ("Pair e", "One"), ("e", "Other")]

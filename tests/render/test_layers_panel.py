@@ -104,6 +104,11 @@ def test_a_file_of_ones_own_is_a_layer(film, tmp_path):
     assert bpy.ops.facet_film.layer_file(filepath=str(file)) == {"FINISHED"}
     assert settings().layers_text == f"{file} 0-200 nm / Ti"
     assert bpy.ops.facet_film.bake_layers(text=settings().layers_text) == {"FINISHED"}
+    file.unlink()
+    layers._why_not.cache_clear()
+    assert layers.why_not(film, settings().layers_text) == ""  # the material keeps what it held
+    api.rebake(film, {"illuminant": "A"})
+    assert str(file) in api.record_of(film).parameters.own_layers
     with pytest.raises(RuntimeError):
         bpy.ops.facet_film.layer_file(filepath=str(tmp_path / "none.csv"))
 

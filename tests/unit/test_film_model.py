@@ -11,8 +11,9 @@ from addon.bake.stack_notation import parse
 from addon.errors import FacetFilmError
 from addon.models.film import known
 from addon.models.film.parameters import Film
-from addon.models.film.tables import OF_METALS, picture, table_of
-from addon.models.making import made, of_other_words
+from addon.models.film.tables import OF_METALS, picture, stack_of, table_of
+from addon.models.making import made, of_other_words, rebaked
+from addon.models.record import from_dict
 from addon.nodes.exr import LINES, exr_bytes
 from addon.spectra.optical_constants import load
 from tools import build_film_facts
@@ -116,3 +117,21 @@ def test_a_record_says_how_far_each_realisation_is_off():
     standard, reference = (record.baked["realisations"][name] for name in ("standard", "reference"))
     assert standard["sphere_mean"] < 0.7 and reference["sphere_mean"] < 0.1
     assert record.baked["table"]["delta_e_2000_max"] < 0.5
+
+
+def test_a_film_of_ones_own_data_is_baked_where_its_file_is_not(tmp_path):
+    file = tmp_path / "my oxide.csv"
+    file.write_text("wavelength_nm,n,k\n360,2.5,0.1\n780,2.3,0.0\n", encoding="utf-8")
+    record = made(preset=f"{file} 0-100 nm / Ti", thickness=40.0)
+    kept = record.to_dict()
+    file.unlink()
+    stack_of.cache_clear()
+    found = from_dict(kept)
+    assert found == record and found.source.data == found.parameters.own_layers != ""
+    again = rebaked(found, viewing={"illuminant": "A"})
+    assert again.parameters == record.parameters and again.viewing["illuminant"] == "A"
+    other = of_other_words(found, f"SiO2 50 nm / {file} 0-100 nm / Ti")
+    assert len(other.baked["layers"]) == 4
+    assert of_other_words(found, "SiO2 0-50 nm / Ti").parameters.own_layers == ""
+    with pytest.raises(FacetFilmError, match="At '"):
+        made(preset=f"{file} 0-100 nm / Ti")

@@ -94,14 +94,17 @@ def _draw_layers(layout, settings):
 def _draw_swatch(layout, material):
     """Its colours, as soon as they are drawn; what the strip's sides are."""
     found = swatch_icon(material, key_of(image_in(our_node(material).node_tree)))
-    if found is None:
-        return
     column = layout.column(align=True)
-    column.template_icon(found.icon, scale=SWATCH_SCALE)
+    column.template_icon(found.icon if found else 0, scale=SWATCH_SCALE)  # an empty one keeps its place until then
     row = column.row()
     row.alignment = "CENTER"
+    row.label(text=_sides(found) if found else "", translate=False)
+
+
+def _sides(found):
+    """What a strip is over, across and down."""
     down = "   ↓ 0°–85°" if found.has_angles else ""
-    row.label(text=f"→ {found.first:g}–{found.last:g} {found.unit}{down}", translate=False)
+    return f"→ {found.first:g}–{found.last:g} {found.unit}{down}"
 
 
 CLASSES = (FACET_FILM_UL_layers, FACET_FILM_MT_layers, FACET_FILM_PT_layers)

@@ -1208,6 +1208,8 @@ TEXTS = {
         "{material} 不是由文字描述构成的：请指定其他模型的材质。",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} 不接受测量数据：请指定它的一个预设，或换一个模型。",
+    "{name} is written by a bake, as JSON; leave it out, or as it is: not {value!r}.":
+        "{name} 由烘焙以 JSON 写入；请省略或保持原样，而非 {value!r}。",
     "{name} must be a text, not {value!r}.":
         "{name} 必须是文本，而不是 {value!r}。",
     "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":

@@ -1228,6 +1228,8 @@ TEXTS = {
         "{material} besteht nicht aus dem, was ein Text sagt: ein Material eines anderen Modells nennen.",
     "{model} takes no measurement: name one of its presets, or another model.":
         "{model} nimmt keine Messung: eine seiner Voreinstellungen nennen oder ein anderes Modell.",
+    "{name} is written by a bake, as JSON; leave it out, or as it is: not {value!r}.":
+        "{name} schreibt ein Backen, als JSON; weglassen oder lassen, wie es ist: nicht {value!r}.",
     "{name} must be a text, not {value!r}.":
         "{name} muss ein Text sein, nicht {value!r}.",
     "{name} {value!r} is no colour: linear numbers go to {most}, and whole ones to 255 are sRGB.":

@@ -72,20 +72,21 @@ def _slope(builder, m, specular, w, gaussian, published, gaussian_c, seen, surfa
     surface  {socket: operand} of the Metallic BSDFs
     """
     anisotropy = surface["Anisotropy"]
-    widening, weight = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy))
-    with builder.frame("Share"):
-        share = specular * w * weight
+    roughness, weight = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy), sqrt(m))
+    with builder.frame("Half the share"):
+        share = (0.5 * (specular * w)) * weight
         printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
         # In the published scale the printed c takes the place of the one that normalises.
         share_gaussian = share * (gaussian * (1.0 + published * (printed - 1.0)))
-        lobes = [(share * (1.0 - gaussian), m)]
-    lobes += [(share_gaussian * w, slope) for w, slope in gaussian_lobes(m)]
+        lobes = [(share * (1.0 - gaussian), roughness)]
+    with builder.frame("Three lobes"):
+        lobes += [(share_gaussian * w, sqrt(slope / m) * roughness) for w, slope in gaussian_lobes(m)]
     lobe = part(f"Beckmann Lobe{OF_KIND[fresnel_type]}")(_beckmann)
-    return builder.add_shaders(*[lobe(builder, w, slope, widening, surface, fresnel_type) for w, slope in lobes])
+    return builder.add_shaders(*[lobe(builder, half, rough, surface, fresnel_type) for half, rough in lobes])
 
 
-def _beckmann(builder, share, m, widening, surface, fresnel_type):
-    """share * F D G / (4 (N.L)(N.V)), Beckmann D of the slope m times widening², Smith G."""
-    metallic = builder.node("ShaderNodeBsdfMetallic", {**surface, "Roughness": sqrt(m) * widening},
+def _beckmann(builder, half, roughness, surface, fresnel_type):
+    """2 half F D G / (4 (N.L)(N.V)), Beckmann D of the slope roughness², Smith G; half of a share, as it may pass 1."""
+    metallic = builder.node("ShaderNodeBsdfMetallic", {**surface, "Roughness": roughness},
                             distribution="BECKMANN", fresnel_type=fresnel_type)
-    return builder.scale_shader_twofold(share, metallic)
+    return builder.scale_shader_twofold(half, metallic)

@@ -56,12 +56,13 @@ def slope_towards_viewer(m, seen, anisotropy):
     return where(less(0.0, anisotropy), sqrt(x * x + y * y) / maximum(seen.sine, SMALLEST_SINE), m)
 
 
-@part("V-cavity Lobe", "widening", "weight")
-def v_cavity_lobe(sine, m):
-    """What the lobe's roughness √m is to be multiplied by, and its weight.
+@part("V-cavity Lobe", "roughness", "weight")
+def v_cavity_lobe(sine, m, roughness=1.0):
+    """What the lobe's roughness √m becomes, and its weight.
 
-    sine  of the angle from N to V, ``(...)``
-    m     rms slope, ``(...)``
+    sine       of the angle from N to V, ``(...)``
+    m          rms slope in the direction of V, ``(...)``
+    roughness  √m; of 1, what it is multiplied by
 
     Both are polynomials in q = m²/(m² + t), t = (2 tan(h/2))² = 8/(1 + sine) − 4 with V's height h above the horizon:
     q runs from m²/4 or so, where V is straight above, to 1 at the horizon, and is ½ where facets of about the slope m
@@ -74,8 +75,9 @@ def v_cavity_lobe(sine, m):
     m2, held2 = m * m, held * held
     q = m2 / (8.0 / (1.0 + sine) + (m2 - 4.0))
     held4 = held2 * held2
-    widening = (1.0 - 0.3671 * held4) + q * (held2 * (0.2753 + 0.6128 * held)
-                                             + (held2 * (2.1661 * held - 2.2227)) * q)
+    # Multiplied into what a material keeps constant, √m costs the renderer nothing.
+    widened = roughness * (1.0 - 0.3671 * held4) + q * (roughness * (held2 * (0.2753 + 0.6128 * held))
+                                                        + (roughness * (held2 * (2.1661 * held - 2.2227))) * q)
     weight = (1.0 + held4 * (0.5674 * held - 1.3629)) + q * (held2 * (0.8887 + 0.3361 * held)
                                                             + (held2 * (-0.3769 * held - 0.4467)) * q)
-    return widening, weight
+    return widened, weight

@@ -23,7 +23,8 @@ def _look(parameters, place=None):
 
 def _work_ahead(resolved, viewing, progress):
     from .tables import table_of
-    table_of(resolved.preset.parameters["stack"], viewing, progress=progress)
+    stated = resolved.preset.parameters
+    table_of(stated["stack"], viewing, own=stated.get("own_layers", ""), progress=progress)
 
 
 def _no_longer(parameters, baked):
@@ -69,10 +70,10 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Standard", 5, "fast.build",
+        Group("film_fast", "Film Standard", 6, "fast.build",
               "Films of measured layers, clean and fast: the one to take first",
               stand_in="film_eevee", pictured=True),
-        Group("film_exact", "Film Reference", 6, "exact.build",
+        Group("film_exact", "Film Reference", 7, "exact.build",
               "Films of measured layers, at the angle of every facet: slower and noisier, to compare with",
               stand_in="film_eevee", pictured=True),
         Group("film_eevee", "Film EEVEE", 5, "fast.build_eevee",
@@ -88,7 +89,7 @@ MODEL = Model(
     evaluate=_evaluate,
     bake=_bake,
     look=_look,
-    baked_names=("stack",),
+    baked_names=("stack", "own_layers"),
     feeds=_feeds,
     read_feed=_read_feed,
     forms={
@@ -102,6 +103,7 @@ MODEL = Model(
     standin=_standin,
     sheet=lambda parameters: parameters.see_through > 0.0,
     made_of="stack",
+    own_data="own_layers",
     picture=_picture,
     work_ahead=_work_ahead,
     no_longer=_no_longer,

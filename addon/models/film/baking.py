@@ -28,7 +28,8 @@ def bake_for(resolved, viewing):
     """
     preset = resolved.preset
     stated = dict(preset.parameters)
-    table = table_of(stated["stack"], viewing)
+    stated.setdefault("own_layers", "")
+    table = table_of(stated["stack"], viewing, own=stated["own_layers"])
     low, high = table.thickness_range_nm
     if "thickness_range" not in stated:
         stated.setdefault("thickness", 0.5 * (low + high))
@@ -79,6 +80,7 @@ def look(parameters, place=None):
         noise = 0.5 + 0.5 * np.sin(4.0 * x + 2.0 * np.sin(3.0 * y) + 2.0 * z)
         share, cosine = noise + p.gradient * (0.5 - 0.5 * y - noise), np.clip(z, 0.0, 1.0)
     thickness = least + (greatest - least) * share
-    colour = colour_of(p.stack, thickness) if place is None else table_of(p.stack, {}).at(cosine, thickness)
+    colour = colour_of(p.stack, thickness, p.own_layers) if place is None else \
+        table_of(p.stack, {}, own=p.own_layers).at(cosine, thickness)
     colour, diffuse = colour * np.array(p.tint), (1.0 - p.specular) * np.array(p.tint) * np.array(p.diffuse)
     return Look(p.specular * colour + diffuse, colour, p.specular, float(slope(p.roughness)), diffuse)

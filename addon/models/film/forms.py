@@ -4,7 +4,12 @@ import numpy as np
 
 from ... import export
 from ...bake import bake
+from ...bake.colour import delta_e_2000, lab
+from ...bake.film_colours import exact_colours
+from ...bake.reflected import Viewing
+from ...bake.stack_notation import parse
 from ...bake.standin_fit import COS_THETA, fit_metal, fit_mirror
+from ...catalogue.resolving import layers_in
 from ...export import json_text
 from ...export.standin import LOST, Standin
 from ..moving import moved
@@ -36,9 +41,11 @@ def standin(record):
     p = record.parameters
     if p.see_through > 0.5:
         film = _one_film(record)
-        return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=film[1] if film else 1.5, transmission=1.0,
-                       thin_walled=True, film=film, lost=(LOST["field"],) if p.thickness_range else ())
-    table = table_of(p.stack, record.viewing)
+        film = film if film and film[1] >= 1.0 else None
+        ior = max(float(_index(stack_of(p.stack, p.own_layers).below_constants)), 1.0)
+        return Standin((1.0, 1.0, 1.0), roughness=p.roughness, ior=ior, transmission=1.0, thin_walled=True, film=film,
+                       delta_e=(_off(record, film, ior),) * 2, lost=(LOST["field"],) if p.thickness_range else ())
+    table = table_of(p.stack, record.viewing, own=p.own_layers)
     mirror, tint = np.clip(table.at(COS_THETA, _thickness(p)), 0.0, 1.0), np.array(p.tint)
     seen = tint * (p.specular * mirror + (1.0 - p.specular) * np.array(p.diffuse))
     lost = (LOST["film"], LOST["field"]) if p.thickness_range else (LOST["film"],)
@@ -53,7 +60,7 @@ def standin(record):
 
 def _film_on_a_metal(record):
     """(n, k, m, thickness in nm, index) of one film on what absorbs, or None for other stacks."""
-    p, below = record.parameters, stack_of(record.parameters.stack).below_constants
+    p, below = record.parameters, stack_of(record.parameters.stack, record.parameters.own_layers).below_constants
     film = _one_film(record)
     if film is None or p.see_through > 0.0 or float(np.asarray(below.at(550.0)[1]).ravel()[0]) < ABSORBING:
         return None
@@ -63,15 +70,29 @@ def _film_on_a_metal(record):
 
 def _one_film(record):
     """(thickness in nm, n at the d line) of a stack of one film, or None."""
-    films = stack_of(record.parameters.stack).films
+    films = stack_of(record.parameters.stack, record.parameters.own_layers).films
     if len(films) != 1:
         return None
-    return float(_thickness(record.parameters)), float(np.asarray(films[0].constants.at(587.56)[0]).ravel()[0])
+    return float(_thickness(record.parameters)), float(_index(films[0].constants))
+
+
+def _index(constants):
+    """n at the d line."""
+    return np.asarray(constants.at(587.56)[0]).ravel()[0]
+
+
+def _off(record, film, ior):
+    """Mean CIEDE2000 over a ball's angles of what a clear sheet of one film reflects, its indices constant."""
+    p, light = record.parameters, Viewing(**record.viewing)
+    stack = parse(f"{film[1]:.6g} {film[0]:.6g} nm / {ior:.6g}" if film else f"{ior:.6g}", layers_in(""))
+    shown = exact_colours(stack, light, COS_THETA, stack.thickness_range_nm[0])
+    exact = table_of(p.stack, record.viewing, own=p.own_layers).at(COS_THETA, _thickness(p))
+    return float(delta_e_2000(lab(exact, light.space), lab(np.clip(shown, 0.0, 1.0), light.space)).mean())
 
 
 def _curve(record):
-    cosines = np.cos(np.radians(np.linspace(90.0, 0.0, ANGLES)))
-    return cosines, table_of(record.parameters.stack, record.viewing).at(cosines, _thickness(record.parameters))
+    p, cosines = record.parameters, np.cos(np.radians(np.linspace(90.0, 0.0, ANGLES)))
+    return cosines, table_of(p.stack, record.viewing, own=p.own_layers).at(cosines, _thickness(p))
 
 
 def _thickness(parameters):

@@ -90,7 +90,7 @@ def _with_diffuse(parameters, n, v, l, facets):
     above = (n_v > 0.0) & (n_l > 0.0)
     n_v, n_l, n_h, v_h = (np.where(above, x, 1.0) for x in (n_v, n_l, n_h, v_h))
     seen = SimpleNamespace(n=n, v=v, l=l, h=h, n_h=n_h, n_v=n_v, n_l=n_l, v_h=v_h)
-    film = facets(seen, lambda c: table_of(p.stack, {}).at(c, p.thickness))
+    film = facets(seen, lambda c: table_of(p.stack, {}, own=p.own_layers).at(c, p.thickness))
     diffuse = (1.0 - p.specular) * (1.0 - p.see_through) * np.array(p.diffuse) / np.pi
     return np.where(above[..., None], np.array(p.tint) * (p.specular * film + diffuse), 0.0)
 

@@ -1,6 +1,7 @@
 """The table of a film's parameters."""
 
 import dataclasses
+import json
 
 from ...errors import FacetFilmError, numbers_of
 from ..parameters import Colour, Direction, Number, Parameter, Slider, Socket, Text, checked_class
@@ -52,6 +53,21 @@ class Layers(Text):
         return value.strip()
 
 
+class OwnData(Text):
+    """Measurements of the user's own, as addon.catalogue.resolving.layers_in reads them; "" for none."""
+
+    def checked(self, value):
+        """JSON of words and what was measured, or nothing."""
+        try:
+            held = json.loads(value) if value else {}
+        except (TypeError, ValueError):
+            held = None
+        if not isinstance(value, str) or not isinstance(held, dict):
+            raise FacetFilmError("{name} is written by a bake, as JSON; leave it out, or as it is: not {value!r}.",
+                                 name=self.name, value=value)
+        return value
+
+
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class TableSlider(Slider):
     """What the look-up in the table's image needs; each bake sets it."""
@@ -62,6 +78,9 @@ class TableSlider(Slider):
 TABLE = (
     Layers(name="stack", default="TiO2 0-200 nm / Ti",
          tip="Layers from the outside in, as 'SiO2 0-1000 nm / Si'; see docs/films.md"),
+    OwnData(name="own_layers", default="",
+            tip="Measurements of your own that the stack names, kept so that it can be baked where their files are "
+                "not; each bake sets it"),
     Number(name="thickness", symbol="d", socket="Thickness", key="d", default=60.0, low=0.0, high=THICKEST, unit="nm",
            tip="Thickness d in nanometres of what varies in the stack; beyond the table it is the table's end"),
     Number(name="roughness", symbol="√m", socket="Roughness", default=0.3, low=0.0, high=1.0, subtype="FACTOR",

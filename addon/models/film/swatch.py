@@ -20,7 +20,7 @@ def swatch(record, columns):
     ('thickness', [0.0, 50.0, 100.0, 150.0, 200.0], (24, 5, 3))
     """
     p = record.parameters
-    table = table_of(p.stack, record.viewing)
+    table = table_of(p.stack, record.viewing, own=p.own_layers)
     low, high = table.thickness_range_nm
     if low == high:
         degrees = np.linspace(0.0, GRAZING, columns)

@@ -5,7 +5,7 @@ leaves the layer, and the interference dealt to them: see
 addon.models.layered_rgb.lobes.
 """
 
-from ...operands import widen
+from ...operands import part, widen
 from ..parameters import add_inputs
 from .formulas import rho_d_eq16
 from .lobes import native_lobes
@@ -34,10 +34,10 @@ def build(builder):
         builder.output("BSDF", builder.add_shaders(*closures, native))
 
 
+@part("Native Lobe of the Layer")
 def _closure(builder, lobe, view, specular):
     """The Glossy BSDF of one lobe."""
-    with builder.frame("Native lobes"):
-        roughness, anisotropy = roughness_and_anisotropy(lobe.slope_in, lobe.slope_across)
-        return builder.node("ShaderNodeBsdfAnisotropic", {
-            "Color": lobe.colour * widen(specular), "Roughness": roughness, "Anisotropy": anisotropy,
-            "Normal": lobe.normal, "Tangent": view + NUDGE}, distribution="BECKMANN")
+    roughness, anisotropy = roughness_and_anisotropy(lobe.slope_in, lobe.slope_across)
+    return builder.node("ShaderNodeBsdfAnisotropic", {
+        "Color": lobe.colour * widen(specular), "Roughness": roughness, "Anisotropy": anisotropy,
+        "Normal": lobe.normal, "Tangent": view + NUDGE}, distribution="BECKMANN")

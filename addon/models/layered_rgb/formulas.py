@@ -27,7 +27,23 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from ...operands import cos, cross, dot, less, log, maximum, minimum, normalize, power, sin, sqrt, term, where, widen
+from ...operands import (
+    cos,
+    cross,
+    dot,
+    less,
+    log,
+    maximum,
+    minimum,
+    normalize,
+    part,
+    power,
+    sin,
+    sqrt,
+    term,
+    where,
+    widen,
+)
 from ...reflectance.directions import PI, tangent_of
 from .parameters import WAVELENGTHS
 
@@ -74,7 +90,7 @@ def fifth_power(x):
     return squared(squared(x)) * x
 
 
-@term("ii, io")
+@part("Inner Products")
 def inner_products(light, view, n0, n1, r1):
     """The cosines that the model is made of, by name, for the directions to light and viewer.
 
@@ -148,7 +164,7 @@ def reflected_eq6(fresnel, mirror, e0):
     return fresnel * widen(power(maximum(mirror, 0.0), e0))
 
 
-@term("F (7)")
+@part("F (7)")
 def fresnel_eq7(cos_theta, f):
     """Schlick's Fresnel term F = f + (1 - f)(1 - <v,n0>)^5 of eq. 7.
 
@@ -170,7 +186,7 @@ def f_eq8(r1):
     return squared((r1 - R0) / (r1 + R0))
 
 
-@term("𝒯 (9)")
+@part("𝒯 (9)")
 def transmission_eq9(cos_o, f):
     """Transmission 𝒯(io) = (1 - f)(1 - (1 + <io,n0>)^5) on the way out, eq. 9.
 
@@ -183,6 +199,7 @@ def transmission_eq9(cos_o, f):
     return (1.0 - f) * (1.0 - fifth_power(1.0 - cos_o))
 
 
+@part("Layer is Reached")
 def layer_is_reached(n1_i, n1_o, lobe):
     """1 unless one of eq. 10's null conditions holds: <ii,n1> ≥ 0, <io,n1> ≥ 0, <rii,-io> ≤ 0.
 
@@ -208,6 +225,7 @@ def transmitted_eq10(fresnel, transmission, lobe, e1, reached):
     return (1.0 - fresnel) * transmission * (reached * power(maximum(lobe, 0.0), widen(e1)))
 
 
+@part("Scale of a Lobe")
 def lobe_scale(exponent, published):
     """Factor of a printed lobe cos^e: (e + 2)/(2π) in the energy scale, 1 in the published one.
 
@@ -271,7 +289,7 @@ def rho_d_eq11(r_d, t_d, phase):
     return (r_d + t_d + 2.0 * cos(2.0 * phase) * sqrt(r_d * t_d)) * 0.5
 
 
-@term("ρ_d (16)")
+@part("Diffuse Albedo ρ_d")
 def rho_d_eq16(r1, d, wavelengths, published=0.0):
     """Diffuse albedo ρd = ½ + cos(4π r1 d/λ) √(Td (1 - Td)) of eq. 16.
 

@@ -33,10 +33,10 @@ from ...operands import (
     maximum,
     minimum,
     normalize,
+    part,
     power,
     sin,
     sqrt,
-    term,
     where,
     widen,
     x_of,
@@ -65,8 +65,7 @@ EDGE_CURVE, EDGE_LEAN = 0.581, 1.086
 rises to 1 in two steps, (height, offset times √(r1²-1)); the edge bends away from
 a lobe of variance σ² by EDGE_CURVE σ² √(r1²-1)."""
 
-CHANNELS = (("T lobe, red", x_of, (1.0, 0.0, 0.0)), ("T lobe, green", y_of, (0.0, 1.0, 0.0)),
-            ("T lobe, blue", z_of, (0.0, 0.0, 1.0)))
+CHANNELS = ((x_of, (1.0, 0.0, 0.0)), (y_of, (0.0, 1.0, 0.0)), (z_of, (0.0, 0.0, 1.0)))
 MEAN = (1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0)
 
 MOST_STRETCH = 2.5
@@ -89,7 +88,7 @@ HORIZON, HIDDEN = 0.95, 0.25
 between what Blender 4.5 wants, which also samples below a turned normal, and 5.x, which does not."""
 
 
-@term("Exit directions")
+@part("Exit Directions")
 def exit_directions(view, n0, n1, r1):
     """Where the light of each channel leaves, for the viewer at V.
 
@@ -112,6 +111,13 @@ def exit_directions(view, n0, n1, r1):
     cos_o = cos_refracted(n0_v, r1)
     n1_o = widen(n1_v - n0_v * n0_n1) / r1 + widen(n0_n1) * cos_o
     cos_w = minimum(2.0 * n1_o * widen(n0_n1) - cos_o, 1.0)
+    outside = _refracted_outwards(n0_v, n0_n1, n1_v, n1_o, cos_w, r1)
+    return SimpleNamespace(n0_v=n0_v, cos_o=cos_o, cos_w=cos_w, **vars(outside))
+
+
+@part("Refracted Outwards")
+def _refracted_outwards(n0_v, n0_n1, n1_v, n1_o, cos_w, r1):
+    """What :func:`exit_directions` gives of D, by name."""
     # w = 2 n1_o n1 - (V - n0_v n0)/r1 - cos_o n0; refracted outwards its part across n0 grows r1 times.
     sin_1 = r1 * sqrt(1.0 - cos_w * cos_w)
     shrink = minimum(HIGHEST_EXIT_SINE / maximum(sin_1, SMALLEST), 1.0)
@@ -120,8 +126,7 @@ def exit_directions(view, n0, n1, r1):
     on_n0 = cos_1 + shrink * widen(n0_v) - on_n1 * widen(n0_n1)
     mirror_v, mirror_n1 = 2.0 * n0_v * n0_v - 1.0, 2.0 * n0_v * n0_n1 - n1_v
     between = on_n1 * widen(mirror_n1) + on_n0 * widen(n0_v) - shrink * widen(mirror_v)
-    return SimpleNamespace(n0_v=n0_v, cos_o=cos_o, cos_w=cos_w, cos_1=cos_1, between=between,
-                           on_v=-shrink, on_n0=on_n0, on_n1=on_n1)
+    return SimpleNamespace(cos_1=cos_1, between=between, on_v=-shrink, on_n0=on_n0, on_n1=on_n1)
 
 
 def above(z):
@@ -142,7 +147,12 @@ def bell(z):
     return 0.3989423 * exp(-0.5 * z * z)
 
 
-@term("Albedo of R")
+_share_below = part("Share Below")(above)
+_shares_below = part("Shares Below")(above)
+"""The same as parts of groups, of a number and of a colour."""
+
+
+@part("Albedo of R")
 def reflected_albedo(n0_v, f, e0):
     """∫ R (N.L) dω, ``(..., 3)``: F's constant part over the cut-off lobe, its (1 - c)^5 at three points.
 
@@ -152,17 +162,18 @@ def reflected_albedo(n0_v, f, e0):
     sigma = 1.0 / sqrt(e0 + 2.0)
     slant = sqrt(1.0 - n0_v * n0_v) * sigma
     z = (HALF_PI - arccos(n0_v)) / sigma
-    mean_cosine = n0_v * above(minimum(z, 4.0)) + slant * bell(z)
+    mean_cosine = n0_v * _share_below(minimum(z, 4.0)) + slant * bell(z)
     grazing = (4.0 * _schlick(n0_v) + _schlick(n0_v + 1.732 * slant) + _schlick(n0_v - 1.732 * slant)) / 6.0
     return f * widen(mean_cosine) + (1.0 - f) * widen(grazing)
 
 
+@part("Grazing")
 def _schlick(c):
     c = minimum(maximum(c, 0.0), 1.0)
     return fifth_power(1.0 - c) * c
 
 
-@term("Albedo of T")
+@part("Albedo of T")
 def transmitted_albedo(exits, r1, f, e1):
     """∫ T (N.L) dω, ``(..., 3)``: 𝒯 r1² times the mean of (1 - F) cos over the lobe in the layer.
 
@@ -174,6 +185,7 @@ def transmitted_albedo(exits, r1, f, e1):
     return (1.0 - f) * transmission_eq9(exits.cos_o, f) * r1 * r1 * _mean_cosine(exits.cos_w, r1, e1)
 
 
+@part("Mean Cosine of T")
 def _mean_cosine(cos_w, r1, e1):
     """Mean over the lobe about w in the layer of its cosine times (1 - F)/(1 - f), 0 beyond the edge."""
     edge_slope = sqrt(r1 * r1 - 1.0)
@@ -184,12 +196,18 @@ def _mean_cosine(cos_w, r1, e1):
     lean = EDGE_LEAN * sigma * sqrt(1.0 - cos_w * cos_w)
     total = 0.0
     for height, offset in EDGE_STEPS:
-        z = minimum(maximum((margin - offset / edge_slope) / sigma, -4.0), 4.0)
-        total = total + height * (cos_w * above(z) + lean * bell(z))
+        total = total + height * _step_of_the_edge(offset, margin, edge_slope, sigma, cos_w, lean)
     return maximum(total, 0.0)
 
 
-@term("Plane of n0 and D")
+@part("Step of the Edge")
+def _step_of_the_edge(offset, margin, edge_slope, sigma, cos_w, lean):
+    """Mean cosine of a lobe that is cut off this far from the edge."""
+    z = minimum(maximum((margin - offset / edge_slope) / sigma, -4.0), 4.0)
+    return cos_w * _shares_below(z) + lean * bell(z)
+
+
+@part("Plane of n0 and D")
 def exit_plane(exits, r1, d, wavelengths, f, e0, e1):
     """What the lobes are within the plane of n0 and D, per channel ``(..., 3)``; angles count from n0 to D.
 
@@ -213,25 +231,42 @@ def exit_plane(exits, r1, d, wavelengths, f, e0, e1):
     n0_v = widen(exits.n0_v)
     sin_1 = sqrt(1.0 - squared(exits.cos_1))
     mirror_side = (exits.between - exits.cos_1 * n0_v) / maximum(sin_1, LEAST_SINE)
-    cos_axis = maximum(exits.cos_w, sqrt(1.0 - 1.0 / squared(r1)))
-    stretch = minimum(cos_axis / exits.cos_1, MOST_STRETCH)
-    curve_r, curve_t = widen(e0 + 2.0), widen(e1 + 2.0) / squared(r1)
-    within = curve_t / squared(stretch)
-    theta = arccos(exits.cos_1)
-    sine = sin_1 * n0_v - exits.cos_1 * mirror_side
-    from_mirror = sine * (1.0 + squared(sine) / 6.0)
-    # Where the mirror direction lies off the plane, √(RT) is highest on the way there.
-    aside2 = maximum(1.0 - squared(n0_v) - squared(mirror_side), 0.0)
-    both = curve_r + curve_t
-    across = exp(minimum(squared(curve_r) * aside2 / (4.0 * both), MOST_EXPONENT))
+    curve_r, curve_t, within = _curvatures(exits.cos_w, exits.cos_1, r1, e0, e1)
+    theta, from_mirror = _angles(n0_v, exits.cos_1, sin_1, mirror_side)
     return SimpleNamespace(
         theta=theta, sin_1=sin_1, sin_w=sqrt(1.0 - squared(exits.cos_w)), mirror_side=mirror_side,
         path=r1 * widen(2.0 * PI * d) / wavelengths,
         out=transmission_eq9(exits.cos_o, f) * widen((e1 + 2.0) / (e0 + 2.0)),
         sigma_t=1.0 / sqrt(within), middle=theta - from_mirror * (curve_r / (curve_r + within)),
-        sigma=sqrt(2.0 / (curve_r + within)), across=across * sqrt(4.0 * PI / (both + 2.0)))
+        sigma=sqrt(2.0 / (curve_r + within)), across=_across(n0_v, mirror_side, curve_r, curve_r + curve_t))
 
 
+@part("Angles in the Plane", "of D", "from the mirror")
+def _angles(n0_v, cos_1, sin_1, mirror_side):
+    """The angle of D from n0, and from the mirror direction's place in the plane."""
+    sine = sin_1 * n0_v - cos_1 * mirror_side
+    return arccos(cos_1), sine * (1.0 + squared(sine) / 6.0)
+
+
+@part("Curvatures", "of R", "of T", "of T in the plane")
+def _curvatures(cos_w, cos_1, r1, e0, e1):
+    """One over the variances of the lobes R and T outside, and of T within the plane."""
+    cos_axis = maximum(cos_w, sqrt(1.0 - 1.0 / squared(r1)))
+    stretch = minimum(cos_axis / cos_1, MOST_STRETCH)
+    curve_t = widen(e1 + 2.0) / squared(r1)
+    return widen(e0 + 2.0), curve_t, curve_t / squared(stretch)
+
+
+@part("Across the Plane")
+def _across(n0_v, mirror_side, curve_r, both):
+    """The integral of √(RT) across the plane over its height in it."""
+    # Where the mirror direction lies off the plane, √(RT) is highest on the way there.
+    aside2 = maximum(1.0 - squared(n0_v) - squared(mirror_side), 0.0)
+    height = exp(minimum(squared(curve_r) * aside2 / (4.0 * both), MOST_EXPONENT))
+    return height * sqrt(4.0 * PI / (both + 2.0))
+
+
+@part("In the Plane", "R", "T", "2 cos 2Φ √RT")
 def in_plane(exits, plane, theta, r1, f, e0, e1):
     """R, T and 2 cos(2Φ) √(RT) towards an angle in the plane, each times N.L, in units of R's scale.
 
@@ -257,7 +292,7 @@ def in_plane(exits, plane, theta, r1, f, e0, e1):
     return r, t, between
 
 
-@term("Albedo of 2 cos 2Φ √RT")
+@part("Albedo of 2 cos 2Φ √RT")
 def interference_albedo(exits, plane, r1, f, e0, e1):
     """∫ 2 cos(2Φ) √(RT) (N.L) dω, ``(..., 3)``: three directions in the plane, a Gaussian across it.
 
@@ -279,7 +314,7 @@ def interference_albedo(exits, plane, r1, f, e0, e1):
     return total * fading * step * plane.across * widen((e0 + 2.0) / (2.0 * PI))
 
 
-@term("Peaks")
+@part("Peaks", "angle", "deviation")
 def peaks(exits, plane, r1, f, e0, e1):
     """Angle of T's peak in the plane, interference included, and its standard deviation, ``(..., 3)``.
 
@@ -296,14 +331,21 @@ def peaks(exits, plane, r1, f, e0, e1):
     step = PEAK_STEP / sqrt(curve)
     weights = [_peak_weight(exits, plane, centre + place * step, r1, f, e0, e1)
                for place in (-2.0, -1.0, 0.0, 1.0, 2.0)]
-    inner, outer = weights[1] + weights[3], weights[0] + weights[4]
-    total = inner + outer + weights[2] + LEAST_PEAK
-    mean = (weights[3] - weights[1] + 2.0 * (weights[4] - weights[0])) / total
-    spread = maximum((inner + 4.0 * outer) / total - squared(mean), 0.01)
+    mean, spread = _mean_and_spread(weights)
     middle, sigma = centre + mean * step, step * sqrt(PEAK_POWER * spread)
     return middle + _towards_the_top(exits, plane, middle, TOP_STEP * sigma, r1, f, e0, e1), sigma
 
 
+@part("Mean and Spread", "mean", "spread")
+def _mean_and_spread(weights):
+    """Mean and variance of five weighed steps from -2 to 2."""
+    inner, outer = weights[1] + weights[3], weights[0] + weights[4]
+    total = inner + outer + weights[2] + LEAST_PEAK
+    mean = (weights[3] - weights[1] + 2.0 * (weights[4] - weights[0])) / total
+    return mean, maximum((inner + 4.0 * outer) / total - squared(mean), 0.01)
+
+
+@part("Towards the Top")
 def _towards_the_top(exits, plane, middle, step, r1, f, e0, e1):
     """From the mean of a lopsided lobe to its top: the mean of three directions about it, under the sixth power."""
     fourth_powers = [_peak_weight(exits, plane, middle + place * step, r1, f, e0, e1) for place in (-1.0, 0.0, 1.0)]
@@ -311,18 +353,20 @@ def _towards_the_top(exits, plane, middle, step, r1, f, e0, e1):
     return step * (after - before) / (before + at + after + LEAST_PEAK)
 
 
+@part("Weight of a Direction")
 def _peak_weight(exits, plane, theta, r1, f, e0, e1):
     """Fourth power of T (N.L) and what interference T is dealt, towards an angle."""
     r, t, between = in_plane(exits, plane, theta, r1, f, e0, e1)
     return squared(squared(maximum(t + _dealt_to_t(r, between), 0.0)))
 
 
+@part("Dealt to T")
 def _dealt_to_t(r, between):
     """The interference but for what R gives of it where it takes light."""
     return maximum(between, minimum(r + between, 0.0))
 
 
-@term("Colours")
+@part("Colours", "R", "T")
 def lobe_colours(exits, plane, r1, f, e0, e1, published=0.0):
     """Albedo that the lobes of R and of T reflect, interference included, ``(..., 3)``; never below 0.
 
@@ -367,7 +411,7 @@ def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0):
     return [_r_lobe(view, n0, exits, f, e0, r), *_t_lobes(view, n0, n1, exits, plane, r1, e1, t, peak, sigma)]
 
 
-@term("R lobe")
+@part("R Lobe")
 def _r_lobe(view, n0, exits, f, e0, albedo):
     """R's lobe: N.L moves its peak up, F towards the horizon, by the variance times their logarithms' slopes."""
     height = maximum(exits.n0_v, SMALLEST)
@@ -378,25 +422,25 @@ def _r_lobe(view, n0, exits, f, e0, albedo):
     lean = minimum(maximum((1.0 / height - rise) / (e0 + 2.0), LEAST_LEAN), MOST_LEAN)
     mirror = widen(2.0 * exits.n0_v + lean) * n0 - view
     normal = half_vector(view, normalize(mirror))
-    kept = above(minimum((HALF_PI - arccos(exits.n0_v)) * sqrt(e0 + 2.0), 4.0))
+    kept = _share_below(minimum((HALF_PI - arccos(exits.n0_v)) * sqrt(e0 + 2.0), 4.0))
     slope = 1.0 / sqrt(2.0 * (e0 + 2.0))
     return _lobe(view, normal, albedo / widen(kept), slope, slope)
 
 
+@part("T Lobes")
 def _t_lobes(view, n0, n1, exits, plane, r1, e1, albedo, peak, sigma):
     """T's lobes, each about the normal that mirrors V to its channel's peak."""
-    with_loss = term("T lobes")(_cut_off)(albedo, exits.n0_v, peak, sigma)
+    with_loss = _cut_off(albedo, exits.n0_v, peak, sigma)
     # The peak: D turned about its plane's normal, as a sum of V, n0 and n1 as D is.
     turned = sin(peak) / maximum(plane.sin_1, LEAST_SINE)
     on_n0 = turned * (exits.on_n0 - exits.cos_1) + cos(peak)
     on_v, on_n1 = turned * exits.on_v, turned * exits.on_n1
     slope_in, slope_across = sqrt(0.5) * sigma, r1 / widen(sqrt(2.0 * (e1 + 2.0)))
-    for name, of, channel in CHANNELS:
-        aimed = term(name)(_aimed)
-        yield aimed(view, n0, n1, of(on_v), of(on_n0), of(on_n1), with_loss * channel, of(slope_in),
-                    of(slope_across))
+    return [_aimed(view, n0, n1, of(on_v), of(on_n0), of(on_n1), with_loss * channel, of(slope_in), of(slope_across))
+            for of, channel in CHANNELS]
 
 
+@part("Cut Off")
 def _cut_off(albedo, n0_v, peak, sigma):
     """The colour of a lobe that loses what of it lies below the horizon, to reflect this albedo.
 
@@ -405,9 +449,10 @@ def _cut_off(albedo, n0_v, peak, sigma):
     """
     lower = maximum(peak, 0.5 * (peak + widen(arccos(n0_v))))
     z = minimum(maximum(HORIZON * (HALF_PI - lower) / sigma, 0.5), 4.0)
-    return albedo / (above(z) + HIDDEN * bell(z) / z)
+    return albedo / (_shares_below(z) + HIDDEN * bell(z) / z)
 
 
+@part("Aimed Lobe")
 def _aimed(view, n0, n1, on_v, on_n0, on_n1, colour, slope_in, slope_across):
     direction = widen(on_v) * view + widen(on_n0) * n0 + widen(on_n1) * n1
     return _lobe(view, half_vector(view, direction), colour, slope_in, slope_across)

@@ -1,6 +1,6 @@
 """The normals of both boundaries, which every realisation of the layered RGB model by nodes shares."""
 
-from ...operands import cross, dot, less, normalize, where
+from ...operands import cross, dot, less, normalize, part, where
 from ...reflectance.directions import facing
 from .formulas import tilted_normal
 
@@ -9,6 +9,7 @@ __all__ = ["normals"]
 NOTHING = 1e-8
 
 
+@part("Normals of the Layer", "n0", "n1")
 def normals(builder, sockets, view):
     """n0 and n1 of the surface under the sockets' settings, n0 turned to face V."""
     with builder.frame("n0"):

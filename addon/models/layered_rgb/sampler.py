@@ -38,10 +38,10 @@ from ...operands import (
     maximum,
     minimum,
     normalize,
+    part,
     power,
     sin,
     sqrt,
-    term,
     vector,
     where,
     widen,
@@ -89,7 +89,7 @@ def narrowed_exponent(exponent, taken):
     return (exponent + 2.0) / (1.0 - taken) - 2.0
 
 
-@term("Proposal")
+@part("Proposal")
 def proposal(view, n0, n1, r1, e0, e1):
     """The mixture that L is drawn from: lobe axes in the layer and the share of each lobe.
 
@@ -115,30 +115,50 @@ def proposal(view, n0, n1, r1, e0, e1):
     n0_n1 = dot(n0, n1)
     n1_o = widen(dot(n1, view) - n0_v * n0_n1) / r1 + widen(n0_n1) * cos_o
     cos_w = 2.0 * n1_o * widen(n0_n1) - cos_o
-    sin_w = sqrt(1.0 - cos_w * cos_w)
-    sin_edge = 1.0 / r1
-    cos_edge = sqrt(1.0 - sin_edge * sin_edge)
-    turn = minimum(sin_edge / maximum(sin_w, SMALLEST), 1.0)
-    cos_axis = maximum(cos_w, cos_edge)
-    lift = cos_axis - turn * cos_w
-    # <axis, w>: 1 inside the cone; beyond it the lobe has fallen to its e1-th power at the edge.
-    cos_to_axis = turn + lift * cos_w
-    f = f_eq8(r1)
-    fresnel = fresnel_eq7(n0_v, f)
-    leaves = (1.0 - fresnel) * transmission_eq9(cos_o, f) * r1 * r1 * cos_o
-    leaves = leaves * power(clip(cos_to_axis, 0.0, 1.0), widen(e1)) / 3.0 + LEAST_SHARE
-    reflected = dot(fresnel, MEAN) * n0_v + LEAST_SHARE
-    total = reflected + 3.0 * dot(leaves, MEAN)
-    share_r, shares = reflected / total, leaves / widen(total)
-    exit_cos = sqrt(1.0 - r1 * r1 * (1.0 - cos_axis * cos_axis))
-    stretch = minimum(cos_axis / maximum(exit_cos, SMALLEST), MOST_STRETCH)
-    clearance = share_r * n0_v * sqrt(e0 + 2.0) + dot(shares, exit_cos / (r1 * stretch)) * sqrt(e1 + 2.0)
+    turn, lift, cos_axis = _axis(cos_w, r1)
+    share_r, shares = _shares(n0_v, cos_o, turn + lift * cos_w, r1, e1)
+    clearance = _clearance(n0_v, cos_axis, share_r, shares, r1, e0, e1)
     n1_mirror = 2.0 * widen(n0_n1) * cos_o - n1_o
     apart = 2.0 * (squared(cos_o) - n1_o * n1_mirror)
     return SimpleNamespace(cos_o=cos_o, turn=turn, lift=lift, share_r=share_r, shares=shares,
                            clearance=clearance, apart=apart)
 
 
+@part("Axis in the Layer", "turn", "lift", "cosine")
+def _axis(cos_w, r1):
+    """turn and lift of :func:`proposal`, and the axis's cosine."""
+    sin_w = sqrt(1.0 - cos_w * cos_w)
+    sin_edge = 1.0 / r1
+    cos_edge = sqrt(1.0 - sin_edge * sin_edge)
+    turn = minimum(sin_edge / maximum(sin_w, SMALLEST), 1.0)
+    cos_axis = maximum(cos_w, cos_edge)
+    return turn, cos_axis - turn * cos_w, cos_axis
+
+
+@part("Shares of the Lobes", "of R", "of T")
+def _shares(n0_v, cos_o, cos_to_axis, r1, e1):
+    """Shares of the reflected lobe and of the transmitted ones.
+
+    cos_to_axis  <axis, w>: 1 inside the cone; beyond it the lobe has fallen to its e1-th power at the edge
+    """
+    f = f_eq8(r1)
+    fresnel = fresnel_eq7(n0_v, f)
+    leaves = (1.0 - fresnel) * transmission_eq9(cos_o, f) * r1 * r1 * cos_o
+    leaves = leaves * power(clip(cos_to_axis, 0.0, 1.0), widen(e1)) / 3.0 + LEAST_SHARE
+    reflected = dot(fresnel, MEAN) * n0_v + LEAST_SHARE
+    total = reflected + 3.0 * dot(leaves, MEAN)
+    return reflected / total, leaves / widen(total)
+
+
+@part("Clearance")
+def _clearance(n0_v, cos_axis, share_r, shares, r1, e0, e1):
+    """Height of the lobes over the horizon in their own widths."""
+    exit_cos = sqrt(1.0 - r1 * r1 * (1.0 - cos_axis * cos_axis))
+    stretch = minimum(cos_axis / maximum(exit_cos, SMALLEST), MOST_STRETCH)
+    return share_r * n0_v * sqrt(e0 + 2.0) + dot(shares, exit_cos / (r1 * stretch)) * sqrt(e1 + 2.0)
+
+
+@part("Tapered Width")
 def tapered_width(lobes, width):
     """The width where the lobes stand clear of the horizon, down to a quarter of it where they touch it.
 
@@ -151,7 +171,7 @@ def tapered_width(lobes, width):
     return width * clip(lobes.clearance / TAPER, LEAST_WIDTH, 1.0)
 
 
-@term("Narrowed")
+@part("Narrowed")
 def narrowed(lobes, r1, e0, e1, width):
     """The parts of the formula, so much narrower that Beckmann lobes of this width blur them back.
 
@@ -179,12 +199,12 @@ def narrowed(lobes, r1, e0, e1, width):
     depth = 0.5 * widen((e0 + 2.0) * (e1 + 2.0)) * lobes.apart / both
     rise = exponent * exp(minimum((exponent - 1.0) * depth, MOST_RISE))
     return SimpleNamespace(
-        taken_r=taken_r, taken_t=taken_t, e0=narrowed_exponent(e0, taken_r),
-        e1=narrowed_exponent(widen(e1), taken_t), slope_r=sqrt(0.5 * taken_r / inverse_r),
+        taken_r=taken_r, taken_t=taken_t, e0=part("Narrowed Exponent")(narrowed_exponent)(e0, taken_r),
+        e1=part("Narrowed Exponents")(narrowed_exponent)(widen(e1), taken_t), slope_r=sqrt(0.5 * taken_r / inverse_r),
         slope_t=sqrt(0.5 * variance), power=exponent, rise=rise)
 
 
-@term("Draw L")
+@part("Drawn L")
 def draw(lobes, narrow, view, n0, n1, r1, u_lobe, u_cos, u_phi):
     """A direction L drawn from the mixture, and which lobe it came from.
 
@@ -212,15 +232,22 @@ def draw(lobes, narrow, view, n0, n1, r1, u_lobe, u_cos, u_phi):
     w = widen(2.0 * dot(upwards, normal)) * normal - upwards
     axis = widen(is_r + dot(channel, lobes.turn)) * w + widen(dot(channel, lobes.lift)) * n0
     inside = _around(axis, power(u_cos, 1.0 / (exponent + 1.0)), 2.0 * PI * u_phi)
+    return SimpleNamespace(**vars(_out_of_the_layer(inside, index, n0)), index=index,
+                           slope=where(is_r, narrow.slope_r, narrow.slope_t))
+
+
+@part("Out of the Layer")
+def _out_of_the_layer(inside, index, n0):
+    """The direction outside, whether there is one, and its cosine, by name."""
     inside_cos = dot(inside, n0)
     across = widen(index) * (inside - widen(inside_cos) * n0)
     sine2 = dot(across, across)
     light_cos = sqrt(1.0 - sine2)
-    return SimpleNamespace(light=across + widen(light_cos) * n0,
-                           valid=less(sine2, 1.0) * less(0.0, inside_cos), light_cos=light_cos,
-                           index=index, slope=where(is_r, narrow.slope_r, narrow.slope_t))
+    return SimpleNamespace(light=across + widen(light_cos) * n0, valid=less(sine2, 1.0) * less(0.0, inside_cos),
+                           light_cos=light_cos)
 
 
+@part("Drawn Lobe of the Layer", "is R", "channel")
 def _picked(lobes, u_lobe):
     """1.0 for the lobe that u_lobe picks: the reflected one, and the channels as a colour."""
     first = lobes.share_r + x_of(lobes.shares)
@@ -229,13 +256,14 @@ def _picked(lobes, u_lobe):
     return below_r, vector(below_red - below_r, below_green - below_red, 1.0 - below_green)
 
 
+@part("Direction about an Axis")
 def _around(axis, cos_alpha, phi):
     """The unit direction at the angle α from the axis, turned by φ about it."""
     sine = sqrt(1.0 - cos_alpha * cos_alpha)
     return in_frame(sine * cos(phi), sine * sin(phi), cos_alpha, *frame_about(axis), axis)
 
 
-@term("f (N.L) / p")
+@part("f (N·L)/p")
 def weight(lobes, narrow, drawn, view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0):
     """ρ (N.L)/p of a drawn direction, its parts narrowed, ``(..., 3)``; 0 where the draw was in vain.
 
@@ -254,6 +282,7 @@ def weight(lobes, narrow, drawn, view, n0, n1, r1, d, wavelengths, e0, e1, publi
     return rho * widen(drawn.valid * cosines.n0_l / maximum(p, SMALLEST))
 
 
+@part("R and T narrowed", "R", "T", "√RT")
 def narrowed_parts(cosines, narrow, r1, e0, e1, published=0.0):
     """R, T and √(RT) with the variance taken from each that Beckmann lobes put back, ``(..., 3)``.
 
@@ -279,7 +308,7 @@ def narrowed_parts(cosines, narrow, r1, e0, e1, published=0.0):
     return r, t, root
 
 
-@term("p")
+@part("Density p")
 def _density(lobes, narrow, cosines, r1):
     """Density p(L) of the whole mixture per steradian outside, ``(...)``.
 
@@ -293,7 +322,7 @@ def _density(lobes, narrow, cosines, r1):
     return (lobes.share_r * reflected + transmitted) / (2.0 * PI)
 
 
-@term("Lobe about H")
+@part("Lobe about H")
 def kernel(drawn, view, n0):
     """The Beckmann lobe about H in place of a mirror.
 
@@ -319,18 +348,25 @@ def kernel(drawn, view, n0):
     steep = bend / maximum(squared(drawn.light_cos), bend / (MOST_STRETCH * MOST_STRETCH - 1.0) + SMALLEST)
     x, y = dot(n0, cross(drawn.light, across)), dot(n0, across)
     v_h = maximum(dot(view, half), LEAST_V_H)
-    # The ellipse (xx, xy; xy, yy) along and across the plane of V and H, its axis nearer to "along" first.
+    to_along, to_across, slope_along, slope_across = _ellipse(x, y, v_h, steep)
+    return SimpleNamespace(normal=half, tangent=normalize(widen(to_along) * along + widen(to_across) * across),
+                           slope_along=drawn.slope * slope_along, slope_across=drawn.slope * slope_across)
+
+
+@part("Ellipse of the Lobe", "along", "across", "slope along", "slope across")
+def _ellipse(x, y, v_h, steep):
+    """The first axis of the ellipse (xx, xy; xy, yy) along and across the plane of V and H, that nearer to "along",
+    and how far both reach.
+    """
     xx, xy, yy = 1.0 + steep * x * x, steep * x * y / v_h, (1.0 + steep * y * y) / (v_h * v_h)
     gap = absolute(xx - yy)
     spread = sqrt(gap * gap + 4.0 * (xy * xy))
     side = where(less(xx, yy), -1.0, 1.0)
     turned = side * spread
-    tangent = widen(gap + spread + SMALLEST) * along + widen(2.0 * side * xy) * across
-    return SimpleNamespace(normal=half, tangent=normalize(tangent),
-                           slope_along=drawn.slope * sqrt(0.5 * (xx + yy + turned)),
-                           slope_across=drawn.slope * sqrt(0.5 * (xx + yy - turned)))
+    return (gap + spread + SMALLEST, 2.0 * side * xy, sqrt(0.5 * (xx + yy + turned)), sqrt(0.5 * (xx + yy - turned)))
 
 
+@part("Roughness and Anisotropy", "roughness", "anisotropy")
 def roughness_and_anisotropy(slope_in, slope_across):
     """What the Glossy BSDF makes these two slopes from, its Tangent in the plane of the first.
 
