@@ -5,6 +5,7 @@ import numpy as np
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 
+from .interiors import LEAST_SAMPLES
 from .job import Figure
 from .pictures import annotated, column, labelled, row, strip
 from .shapes import rounded_box
@@ -28,7 +29,7 @@ FINIAL_PROFILE = (
 )
 """A finial: a foot with a rim, a ball, a knob; edges, hollows and a broad curve on one object."""
 
-STEP = (1.36, 1.25, 1.22)
+STEP = (1.36, 1.25, 1.62)
 """From one object to the next: along the row, to the row behind, up."""
 
 
@@ -61,10 +62,12 @@ def lit_scene(job, width, height, samples):
 
 def gallery(job):
     """The shelf, with the name of each preset below it."""
-    scene = lit_scene(job, 1040, 780, 20)
+    scene = lit_scene(job, 1600, 1240, 12)
+    scene.cycles.adaptive_min_samples = LEAST_SAMPLES
+    scene.view_settings.view_transform, scene.view_settings.exposure = "Khronos PBR Neutral", 0.9
     add_cove(scene, (0.16, 0.165, 0.175), back=7.0)
     board = matt("Board", (0.075, 0.078, 0.085))
-    camera = add_camera(scene, (0.0, -15.5, 5.2), (0.0, 1.2, 2.62), 53.0)
+    camera = add_camera(scene, (0.0, -16.5, 6.0), (0.0, 1.2, 3.16), 57.0)
     places = []
     for r, names in enumerate(SHELF):
         y, z = r * STEP[1], r * STEP[2]
@@ -77,7 +80,7 @@ def gallery(job):
             places.append((name.replace("_", " "), finial.location.copy()))
     bpy.context.view_layer.update()
     labels = [(name, *below(scene, camera, place)) for name, place in places]
-    job.write(annotated(job.render(scene, "gallery"), labels, size=12 * job.scale), "gallery.jpg")
+    job.write(annotated(job.render(scene, "gallery"), labels, size=19 * job.scale), "gallery.jpg")
     job.save_scene("gallery")
 
 
@@ -109,6 +112,6 @@ def naive(job):
 
 
 FIGURES = (
-    Figure("gallery", "28 presets on a shelf", 150.0, gallery),
+    Figure("gallery", "28 presets on a shelf", 120.0, gallery),
     Figure("gallery_three_wavelengths", "Metals beside their three-wavelength versions", 70.0, naive),
 )
