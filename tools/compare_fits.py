@@ -61,8 +61,12 @@ class Layered:
 
     def evaluate(self, p, v, l):
         """Model.evaluate; nothing where the model's own formula has no value."""
+        return self.standard(self.checked(p), v, l, "")
+
+    def standard(self, parameters, v, l, _formula):
+        """As the formula."""
         with np.errstate(all="ignore"):
-            return np.nan_to_num(self.model.evaluate(self.checked(p), np.broadcast_to(UP, v.shape), v, l))
+            return np.nan_to_num(self.model.evaluate(parameters, np.broadcast_to(UP, v.shape), v, l))
 
     def starts(self, guess):
         """By chance: indices that differ little, exponents that belong together."""
