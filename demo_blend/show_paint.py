@@ -17,7 +17,7 @@ HELMETS = (  # preset, where it stands, how it is turned about the vertical
 def paint(job):
     """The three of them under the long lamps that cars are photographed by."""
     from addon import api
-    scene = show_scene(job, 16)
+    scene = show_scene(job, 12)
     set_room(scene, "studio.exr", strength=0.7, turn=0.6)
     add_cove(scene, (0.085, 0.088, 0.10), back=6.0)
     visor = api.create_material(preset="gold_visor")
