@@ -63,6 +63,6 @@ def realisation_chosen(name, valid):
     """
     known_as = {found: shown for shown, found in NAMES.items()}
     found = realisation_named(name)
-    if found not in valid:
+    if not isinstance(found, str) or found not in valid:
         choice("realisation", name, [known_as.get(one, one) for one in valid])
     return found

@@ -28,12 +28,29 @@ OBLIQUE = 1.2
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
 
 
+def way_to(kind, tree):
+    """The first node of a kind in a group or the parts in it, after the nodes of the parts that it is in."""
+    for node in tree.nodes:
+        if node.bl_idname == kind:
+            return [node]
+        inner = way_to(kind, node.node_tree) if node.bl_idname == "ShaderNodeGroup" else []
+        if inner:
+            return [node, *inner]
+    return []
+
+
+def give_out(tree, source):
+    """Have a group give what leaves a node by this socket in place of its first output."""
+    output = next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
+    tree.links.new(source, output.inputs[0])
+
+
 def shown(material, angle, socket):
     """What feeds a socket of the group's Glossy BSDF, halved and raised by ½, one draw a pixel, ``(draws, 3)``."""
     scene = probes.empty_scene(RESOLUTION, samples=1, extent=2.0)
     made = material()
-    tree = materials.our_node(made).node_tree
-    glossy = next(node for node in tree.nodes if node.bl_idname == "ShaderNodeBsdfAnisotropic")
+    *parts, glossy = way_to("ShaderNodeBsdfAnisotropic", materials.our_node(made).node_tree)
+    tree = glossy.id_data
     source = next(found for found in glossy.inputs if found.identifier == socket).links[0].from_socket
     encoded = tree.nodes.new("ShaderNodeVectorMath")
     encoded.operation = "MULTIPLY_ADD"
@@ -41,8 +58,9 @@ def shown(material, angle, socket):
     tree.links.new(source, encoded.inputs[0])
     light = tree.nodes.new("ShaderNodeEmission")
     tree.links.new(encoded.outputs[0], light.inputs["Color"])
-    output = next(node for node in tree.nodes if node.bl_idname == "NodeGroupOutput")
-    tree.links.new(light.outputs[0], output.inputs[0])
+    give_out(tree, light.outputs[0])
+    for part in parts:
+        give_out(part.id_data, part.outputs[0])
     bpy.ops.mesh.primitive_plane_add(size=2.4, rotation=(0.0, angle, 0.0))
     tile = bpy.context.object
     tile.scale = (1.0 / np.cos(angle), 1.0, 1.0)
