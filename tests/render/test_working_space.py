@@ -161,9 +161,9 @@ def test_what_the_user_changed_is_moved_along():
 
 
 def test_a_preset_that_is_stated_and_not_measured_is_moved_too():
-    felt = made(preset="felt_pink", roughness=0.4)
+    felt = made(preset="felt_white", roughness=0.4)
     there = moved(felt, Renderer(space="ACEScg"))
-    fresh = made(preset="felt_pink", renderer=Renderer(space="ACEScg"))
+    fresh = made(preset="felt_white", renderer=Renderer(space="ACEScg"))
     assert (there.viewing, there.parameters.roughness) == ({"space": "ACEScg"}, 0.4)
     assert (there.parameters.n, there.parameters.diffuse) == (fresh.parameters.n, fresh.parameters.diffuse)
     seen_here, seen_there = (lab(np.array(one.parameters.diffuse), space_of(one)) for one in (felt, there))
