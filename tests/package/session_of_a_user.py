@@ -35,8 +35,14 @@ def surface_of(material):
     node = links[0].from_node if links else None
     values = {socket.name: list(socket.default_value) if hasattr(socket.default_value, "__len__")
               else socket.default_value for socket in node.inputs if hasattr(socket, "default_value")}
-    inner = [inner.bl_idname for inner in node.node_tree.nodes] if getattr(node, "node_tree", None) else []
-    return {"node": node.bl_idname, "values": values, "inner": inner}
+    return {"node": node.bl_idname, "values": values, "inner": sorted(set(kinds_in(node)))}
+
+
+def kinds_in(node):
+    """The kinds of nodes in a group node and in the groups within it."""
+    for inner in node.node_tree.nodes if getattr(node, "node_tree", None) else ():
+        yield inner.bl_idname
+        yield from kinds_in(inner)
 
 
 def go_through(report):
