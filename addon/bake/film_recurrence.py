@@ -114,7 +114,11 @@ class _Chain:
         (_, (top, bottom)), *steps = self.steps
         for trip, (a, b, c, d) in steps:
             top = top * z[trip]
-            top, bottom = a * top + b * bottom, c * top + d * bottom
+            below = c * top
+            below += d * bottom
+            top *= a
+            top += b * bottom
+            bottom = below
         return top, bottom
 
     def reflected(self, z):

@@ -62,10 +62,11 @@ def model_of_group(identifier):
     return _owners()[identifier][0] if identifier in _owners() else None
 
 
-def node_group(identifier, image=None):
+def node_group(identifier, image=None, whole=None):
     """The group with this id in the current version, brought in where the file has none as we made it.
 
     image  that a pictured group shows; by default that of its model's default parameters
+    whole  a group that is known to be as we made it
 
     A group that a user has edited is left alone and not reused.
     """
@@ -78,7 +79,9 @@ def node_group(identifier, image=None):
     same = [tree for tree in shown if not edited(tree)]
     if same:
         return _merged(same, group, image)
-    like = next((tree for tree in ours if not edited(tree)), None) if group.pictured else None
+    if not group.pictured:
+        return _brought(model, group, image)
+    like = whole if whole in ours else next((tree for tree in ours if not edited(tree)), None)
     return _copied(like, group, image) if like else _brought(model, group, image)
 
 

@@ -80,7 +80,7 @@ def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -
     group = model.group(record.group)
     image = image_of(model.picture(record.parameters, record.viewing)) if group.pictured else None
     if not _keeps(node.node_tree, group, image):
-        _set_group(tree, node, node_group(record.group, image))
+        _set_group(tree, node, node_group(record.group, image, whole=node.node_tree))
     values = {**model.written(record.parameters, record.realisation), **sockets_of_image(image_in(node.node_tree))}
     for name, value in values.items():
         socket_named(node, name).default_value = value
