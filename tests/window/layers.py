@@ -36,7 +36,7 @@ def session():
     yield from until(lambda: len(settings().layers) == 2, "there are two layers")
     yield 0.5
     picture("layers_added")
-    field = yield from find(properties, "layers[1].material", across=(0.12, 0.16), every=6)
+    field = yield from find(properties, "layers[1].material", across=(0.6,), every=8)
     yield from click(*field)
     yield from key("A", field, ctrl=True)
     yield from write("mgf", field)

@@ -22,13 +22,12 @@ class FACET_FILM_UL_layers(bpy.types.UIList):
 
     def draw_item(self, _context, layout, _data, item, _icon, _active_data, _active_property):
         """What it is of; how thick, or from where to where."""
-        split = layout.split(factor=0.36, align=True)
-        split.prop(item, "material", text="", emboss=True)
-        row = split.row(align=True)
-        row.prop(item, "thickness", text="")
-        if item.varies:
-            row.prop(item, "greatest", text="")
-        row.prop(item, "varies", text="", icon="ARROW_LEFTRIGHT")
+        row = layout.row()
+        row.label(text=item.material, translate=False)
+        thick = row.row()
+        thick.alignment = "RIGHT"
+        to = f"–{item.greatest:g}" if item.varies else ""
+        thick.label(text=f"{item.thickness:g}{to} nm", translate=False)
 
 
 class FACET_FILM_MT_layers(bpy.types.Menu):
@@ -88,7 +87,18 @@ def _draw_layers(layout, settings):
             beside.operator("facet_film.change_layers", text="", icon=icon).what = what
     column = layout.column()
     column.use_property_split, column.use_property_decorate = True, False
+    if settings.layer < len(settings.layers):
+        _draw_layer(column, settings.layers[settings.layer])
     column.prop(settings, "layers_below")
+
+
+def _draw_layer(column, layer):
+    """What can be set of the layer that is chosen in the list."""
+    column.prop(layer, "material")
+    column.prop(layer, "thickness")
+    if layer.varies:
+        column.prop(layer, "greatest")
+    column.prop(layer, "varies")
 
 
 def _draw_swatch(layout, material):
