@@ -3,7 +3,7 @@
     python tools/compare_fits.py FOLDER
 
 FOLDER holds _rgb.bsdf files of the RGL-EPFL database, which are not part of
-this repository.  The layered model is searched from ten starts by chance,
+this repository.  The layered model is searched from thirty starts by chance,
 always the same, the others as addon.measured does.
 """
 
@@ -34,7 +34,7 @@ SHOWN = {"cc_iris_purple_gem": ("curve", "measured_cc_iris_purple_gem.png"),
          "vch_golden_yellow": ("n_k", "measured_vch_golden_yellow.png"),
          "irid_flake_paint2": ("f0", "measured_irid_flake_paint2.png")}
 """Materials that are pictured: the fit beside each, and the picture."""
-STARTS, ROUNDS, SEED = 10, 20, 1
+STARTS, ROUNDS, SEED = 30, 20, 1
 BEGIN, END = "<!-- made by tools/compare_fits.py -->\n", "<!-- end -->\n"
 
 
