@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 
+from ..columns import columns
 from ..errors import FacetFilmError, choice
 from ..spectra import illuminants, observers
 
@@ -196,8 +197,8 @@ def delta_e_2000(lab_1, lab_2):
     >>> round(float(delta_e_2000(np.array([50, 2.6772, -79.7751]), np.array([50, 0, -82.7485]))), 4)
     2.0425
     """
-    l_1, a_1, b_1 = np.moveaxis(np.asarray(lab_1, float), -1, 0)
-    l_2, a_2, b_2 = np.moveaxis(np.asarray(lab_2, float), -1, 0)
+    l_1, a_1, b_1 = columns(lab_1)
+    l_2, a_2, b_2 = columns(lab_2)
     c7 = (0.5 * (np.hypot(a_1, b_1) + np.hypot(a_2, b_2))) ** 7
     g = 1.5 - 0.5 * np.sqrt(c7 / (c7 + 25.0**7))  # (4), with the 1 of (5)
     a_1, a_2 = a_1 * g, a_2 * g

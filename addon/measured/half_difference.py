@@ -8,6 +8,8 @@ Radians; unit vectors ``(N, 3)``, the normal along z.
 
 import numpy as np
 
+from ..columns import columns
+
 __all__ = ["STEEPEST", "angles_of", "directions_of", "grid", "solid_angle"]
 
 STEEPEST = np.radians(80.0)
@@ -38,14 +40,15 @@ def angles_of(v, l):
     """
     h = v + l
     h = h / np.linalg.norm(h, axis=-1, keepdims=True)
-    across = np.hypot(h[:, 0], h[:, 1])
-    theta_h = np.arctan2(across, h[:, 2])
-    round_z = np.where(across[:, None] > 1e-12, h[:, :2] / np.maximum(across, 1e-12)[:, None], (1.0, 0.0))
-    along = round_z[:, 0] * l[:, 0] + round_z[:, 1] * l[:, 1]
-    y = round_z[:, 0] * l[:, 1] - round_z[:, 1] * l[:, 0]
-    x = h[:, 2] * along - across * l[:, 2]
-    z = across * along + h[:, 2] * l[:, 2]
-    return theta_h, np.arctan2(np.hypot(x, y), z), np.arctan2(y, x) % np.pi
+    (h_x, h_y, h_z), (l_x, l_y, l_z) = columns(h), columns(l)
+    across = np.hypot(h_x, h_y)
+    turned, length = across > 1e-12, np.maximum(across, 1e-12)
+    cosine, sine = np.where(turned, h_x / length, 1.0), np.where(turned, h_y / length, 0.0)
+    along = cosine * l_x + sine * l_y
+    y = cosine * l_y - sine * l_x
+    x = h_z * along - across * l_z
+    z = across * along + h_z * l_z
+    return np.arctan2(across, h_z), np.arctan2(np.hypot(x, y), z), np.arctan2(y, x) % np.pi
 
 
 def solid_angle(theta_h, d_theta_h, theta_d):

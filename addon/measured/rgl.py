@@ -8,6 +8,7 @@ against Mitsuba's plugin "measured".
 
 import numpy as np
 
+from ..columns import columns
 from ..errors import FacetFilmError
 from .bilinear import Density, Table
 from .half_difference import STEEPEST, grid
@@ -69,7 +70,8 @@ class Rgl:
         """Where the half vectors are in the warp's square, ``(N, 2)``, and θi."""
         m = v + l
         m = m / np.linalg.norm(m, axis=-1, keepdims=True)
-        turn = (np.arctan2(m[:, 1], m[:, 0]) - np.arctan2(v[:, 1], v[:, 0]) + np.pi) / (2.0 * np.pi)
+        (m_x, m_y, _), (v_x, v_y, _) = columns(m), columns(v)
+        turn = (np.arctan2(m_y, m_x) - np.arctan2(v_y, v_x) + np.pi) / (2.0 * np.pi)
         return np.stack([_unit(_elevation(m)), turn - np.floor(turn)], axis=-1), _elevation(v)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from brdf_files import container, direction, merl_bytes, points_text, rgl_fields
 
+from addon.bake.colour import delta_e_2000
 from addon.errors import FacetFilmError
 from addon.measured import half_difference, merl, points, rgl, tensor_file
 from addon.measured.reading import read_brdf_bytes
@@ -245,3 +246,18 @@ def test_angles_and_directions_are_each_others_inverse():
 
 def test_the_fewest_points_stand_in_the_sentence():
     assert points.FEWEST == 100
+
+
+def test_where_numbers_lie_in_memory_changes_no_bit_of_them():
+    """numpy goes by another way where a strided array lies next to what it writes; see addon.columns."""
+    reader = rgl.Rgl(tensor_file.fields_of(container(rgl_fields(paint, side=16)), "x.bsdf"))
+    rng, kept = np.random.default_rng(3), []
+    v, l = directions(1718)
+    functions = {"angles_of": lambda: half_difference.angles_of(v, l), "f_cos": lambda: reader.f_cos(v, l),
+                 "delta_e_2000": lambda: delta_e_2000(100.0 * v, 100.0 * l)}
+    found = {name: set() for name in functions}
+    for _ in range(400):
+        kept.append(rng.random(rng.integers(1, 4000)).astype(np.float32))
+        for name, function in functions.items():
+            found[name].add(np.asarray(function()).tobytes())
+    assert {name: len(values) for name, values in found.items()} == dict.fromkeys(functions, 1)
