@@ -16,7 +16,7 @@ from addon.blender.datablocks import groups, menu
 from addon.blender.operators import bake
 from addon.blender.translations import LANGUAGES, texts_of
 from addon.errors import FacetFilmError
-from addon.export.standin import LOST
+from addon.export.standin import LOST, LOST_THERE
 from addon.models import all_models
 from addon.spectra.illuminants import TITLES
 
@@ -114,7 +114,7 @@ def texts_of_models():
     """What menus and lists show of models, presets' kinds, and forms."""
     of_groups = {text for part in menu.parts() for _, name, summary in part for text in (name, summary)}
     of_forms = {text for model in all_models() for form in model.forms.values() for text in (form.title, form.tip)}
-    return of_groups | of_forms | set(LOST.values())
+    return of_groups | of_forms | {*LOST.values(), *LOST_THERE.values()}
 
 
 @pytest.fixture(scope="module")
