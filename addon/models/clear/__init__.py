@@ -65,5 +65,7 @@ MODEL = Model(
     standin=_standin,
     measured=True,
     refracts=True,
+    index="ior",
+    index_outside="outside",
     sheet=lambda parameters: parameters.walls == "thin",
 )
