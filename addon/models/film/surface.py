@@ -1,12 +1,17 @@
 """What every group of films by nodes shares: the surface, and the look-up in the table's image."""
 
-from ...operands import clip, dot, less, maximum, minimum, sqrt, vector, where, widen
+from ...operands import clip, dot, less, maximum, minimum, sqrt, vector, where, widen, x_of, y_of, z_of
 from ...reflectance.directions import facing
+from ...reflectance.film_facets import native_share
 from ..parameters import add_inputs
 from .formulas import second_slope, slope
 from .parameters import TABLE
 
-__all__ = ["Surface"]
+__all__ = ["TRACK_ROWS", "Surface"]
+
+TRACK_ROWS = 3
+"""Of the image above the table's, where there is a track: the native film's index, its thickness and the slope from
+which it is closer; n; k."""
 
 
 class Surface:
@@ -95,18 +100,47 @@ class Surface:
         return self.builder.node("ShaderNodeMixShader", {"Fac": self._refracts, "Shader": straight,
                                                          "Shader_001": refracted})
 
-    def lobe(self, colour, normal, roughness):
+    def lobe(self, colour, normal, roughness, tint=None):
         """A dyed Beckmann lobe, stretched along the tangent."""
         s = self.sockets
         with self.builder.frame("mt, mb"):
             narrower = sqrt(1.0 - 0.9 * s.anisotropy) - 1.0
-        return self.glossy(colour, normal, roughness, Anisotropy=narrower, Rotation=s.rotation, Tangent=self.tangent)
+        return self.glossy(colour, normal, roughness, tint, Anisotropy=narrower, Rotation=s.rotation,
+                           Tangent=self.tangent)
 
-    def glossy(self, colour, normal, roughness, **inputs):
+    def glossy(self, colour, normal, roughness, tint=None, **inputs):
         """A dyed Beckmann lobe."""
+        tint = self.sockets.tint if tint is None else tint
         return self.builder.node("ShaderNodeBsdfAnisotropic", {
-            "Color": self.sockets.tint * colour, "Normal": normal, "Roughness": roughness, **inputs},
-            distribution="BECKMANN")
+            "Color": tint * colour, "Normal": normal, "Roughness": roughness, **inputs}, distribution="BECKMANN")
+
+    def native_part(self, m):
+        """(what the native film at a slope reflects of what it would undyed, the tint that is left for other lobes).
+
+        A native film cannot be dyed: it is dimmed to the least of the tint's channels.
+        """
+        with self.builder.frame("Native film"):
+            s = self.sockets
+            has_track = less(s.rows, s.height) * less(s.height, s.rows + (TRACK_ROWS + 1.0))
+            from_slope = z_of(self._track_row(0.0))
+            share = self.builder.where_native(has_track) * native_share(m, from_slope)
+            part = share * minimum(minimum(x_of(s.tint), y_of(s.tint)), z_of(s.tint))
+            return part, s.tint - widen(part)
+
+    def native_film(self, roughness):
+        """The Metallic BSDF with the film of the track at this thickness; bare where Blender has none."""
+        s, builder = self.sockets, self.builder
+        with builder.frame("Native film"):
+            first, n, k = (self._track_row(float(row)) for row in range(TRACK_ROWS))
+            metal = builder.node("ShaderNodeBsdfMetallic", {
+                "IOR": n, "Extinction": k, "Normal": self.n, "Roughness": roughness,
+                "Anisotropy": s.anisotropy, "Rotation": s.rotation, "Tangent": self.tangent},
+                distribution="BECKMANN", fresnel_type="PHYSICAL_CONDUCTOR")
+            builder.feed_where_native(metal, {"Thin Film IOR": x_of(first), "Thin Film Thickness": y_of(first)})
+            return metal
+
+    def _track_row(self, row):
+        return self._pixel(self._column, self.sockets.rows + row, "Linear")
 
     def _look(self, row):
         """What the image holds at a row and the thickness's column, squared."""
