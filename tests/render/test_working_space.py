@@ -86,9 +86,10 @@ def test_a_material_looks_alike_in_every_space(name):
     assert spaces.is_foreign(material) and "ACEScg" in spaces.said_of_space(material)
     assert bpy.ops.facet_film.match_space() == {"FINISHED"}
     assert not spaces.is_foreign(material) and not spaces.said_of_space(material)
-    assert difference(first, seen(scene)) <= SAME
-    for space in spaces_of_it[1:]:
-        assert difference(first, seen(in_a_file(space, **FIVE[name])[0])) <= SAME
+    found = {"converted, one click": difference(first, seen(scene))}
+    found.update({space: difference(first, seen(in_a_file(space, **FIVE[name])[0])) for space in spaces_of_it[1:]})
+    print(name, spaces_of_it[0], {where: round(apart, 3) for where, apart in found.items()})
+    assert max(found.values()) <= SAME
 
 
 @can_change
@@ -97,7 +98,24 @@ def test_a_tinted_glass_differs_by_no_more_than_its_fits():
     scene, material = in_a_file("Rec.709", **TINTED)
     plain, first = seen(scene), api.record_of(material).baked["attenuation"]["delta_e_2000_max"]
     scene, material = in_a_file("ACEScg", **TINTED)
+    print("green glass", round(difference(plain, seen(scene)), 2))
     assert difference(plain, seen(scene)) <= first + api.record_of(material).baked["attenuation"]["delta_e_2000_max"]
+
+
+@can_change
+@pytest.mark.parametrize("preset", ["nacre", "tempered_steel"])
+def test_a_layer_of_three_channels_comes_nearer(preset):
+    """It cannot be the same, as its channels mix in no other space; indices and wavelengths do what they can."""
+    scene, material = in_a_file("Rec.709", preset=preset)
+    first = seen(scene)
+    set_space("ACEScg")
+    assert spaces.is_foreign(material)
+    before = difference(first, seen(scene))
+    assert bpy.ops.facet_film.match_space() == {"FINISHED"} and not spaces.is_foreign(material)
+    after = difference(first, seen(scene))
+    print(preset, round(before, 2), "after the click", round(after, 2))
+    assert after < 0.5 * before
+    assert difference(seen(scene), seen(in_a_file("ACEScg", preset=preset)[0])) < SAME
 
 
 @can_change
@@ -203,15 +221,41 @@ def under(configuration):
     return json.loads(next(line for line in run.stdout.splitlines() if line.startswith("FOUND"))[6:])
 
 
-@pytest.mark.parametrize("linear, name", [(P3, "primaries 0.68"), (AP1, "ACEScg")], ids=["P3", "ACEScg"])
-def test_a_configuration_of_ones_own(linear, name, tmp_path):
-    """Would catch names in place of the measured matrix, and "Non-Color", which this configuration calls otherwise."""
+@pytest.fixture(scope="module")
+def opencolorio():
+    """The module that comes with Blender."""
     folder = f"{bpy.utils.resource_path('LOCAL')}/python/lib/python{sys.version_info.major}.{sys.version_info.minor}"
     sys.path.append(f"{folder}/site-packages")
     import PyOpenColorIO
     sys.path.pop()
+    return PyOpenColorIO
+
+
+def verified(configuration, folder):
+    """What `python -m addon verify` says of the data under a configuration."""
+    return subprocess.run([sys.executable, "-m", "addon", "verify", "--only", "data"], cwd=folder, capture_output=True,
+                          text=True, env={**os.environ, "OCIO": str(configuration), "PYTHONPATH": str(ROOT)})
+
+
+def test_verification_passes_or_says_why_it_cannot(tmp_path, opencolorio):
+    """The second configuration has no space of data: what is written to a file comes back as something else."""
     file = tmp_path / "own.ocio"
-    write_configuration(file, linear, PyOpenColorIO)
+    write_configuration(file, P3, opencolorio)
+    passed = verified(file, tmp_path)
+    assert passed.returncode == 0 and "Green" in passed.stdout, passed.stdout + passed.stderr
+    config = opencolorio.Config.CreateFromFile(str(file))
+    config.removeColorSpace("Raw")
+    config.setRole("data", "Screen")
+    file.write_text(config.serialize(), encoding="utf-8")
+    failed = verified(file, tmp_path)
+    assert failed.returncode == 2 and "use one that has a role for data" in failed.stderr, failed.stderr
+
+
+@pytest.mark.parametrize("linear, name", [(P3, "primaries 0.68"), (AP1, "ACEScg")], ids=["P3", "ACEScg"])
+def test_a_configuration_of_ones_own(linear, name, tmp_path, opencolorio):
+    """Would catch names in place of the measured matrix, and "Non-Color", which this configuration calls otherwise."""
+    file = tmp_path / "own.ocio"
+    write_configuration(file, linear, opencolorio)
     found = under(file)
     assert found["space"].startswith(name) and found["verified"]
     for preset in ("copper", "film", "plastic"):

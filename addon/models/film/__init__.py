@@ -13,7 +13,7 @@ def _evaluate(parameters, n, v, l, tangent=None):
 
 def _bake(resolved, viewing, realisation, renderer):
     from .baking import bake_for
-    return bake_for(resolved, viewing)
+    return bake_for(resolved, viewing, renderer)
 
 
 def _look(parameters, place=None):
@@ -70,12 +70,15 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Standard", 7, "fast.build",
+        Group("film_fast", "Film Standard", 8, "fast.build",
               "Films of measured layers, clean and fast: the one to take first",
               stand_in="film_eevee", pictured=True),
-        Group("film_exact", "Film Reference", 8, "exact.build",
+        Group("film_exact", "Film Reference", 9, "exact.build",
               "Films of measured layers, at the angle of every facet: slower and noisier, to compare with",
               stand_in="film_eevee", pictured=True),
+        Group("film_osl", "Film OSL", 1, "osl.build",
+              "Films of measured layers by an OSL script, to read: the formula at the angle of every facet",
+              stand_in="film_eevee", osl=True, pictured=True),
         Group("film_eevee", "Film EEVEE", 6, "fast.build_eevee",
               "Stacks of films by one native closure, for EEVEE", in_menu=False, pictured=True),
         Group(THICKNESS_GROUP, "Film Thickness", 1, "thickness.build",
@@ -85,7 +88,7 @@ MODEL = Model(
         Group(HEAT_TINT_GROUP, "Film Heat Tint", 1, "thickness.build_heat_tint",
               "Thickness in nanometres of the oxide that heat grows on a metal"),
     ),
-    realisations={"fast": ("film_fast",), "exact": ("film_exact",)},
+    realisations={"fast": ("film_fast",), "exact": ("film_exact",), "osl": ("film_osl",)},
     evaluate=_evaluate,
     bake=_bake,
     look=_look,
