@@ -340,6 +340,8 @@ TEXTS = {
         "薄膜阳极氧化",
     "Film Heat Tint":
         "薄膜热着色",
+    "Film OSL":
+        "薄膜（OSL）",
     "Film Reference":
         "薄膜（参考）",
     "Film Standard":
@@ -348,6 +350,8 @@ TEXTS = {
         "薄膜厚度",
     "Films from the outside in":
         "由外向内的膜层",
+    "Films of measured layers by an OSL script, to read: the formula at the angle of every facet":
+        "由实测层构成的薄膜的 OSL 脚本，供阅读：按每个微面的角度计算的公式",
     "Films of measured layers, at the angle of every facet: slower and noisier, to compare with":
         "由实测膜层组成的薄膜，按每个微面的角度计算：较慢且噪点较多，用于对照",
     "Films of measured layers, clean and fast: the one to take first":

@@ -347,6 +347,8 @@ TEXTS = {
         "Film Anodisieren",
     "Film Heat Tint":
         "Film Anlauffarbe",
+    "Film OSL":
+        "Film, OSL",
     "Film Reference":
         "Film, Referenz",
     "Film Standard":
@@ -355,6 +357,8 @@ TEXTS = {
         "Filmdicke",
     "Films from the outside in":
         "Schichten von außen nach innen",
+    "Films of measured layers by an OSL script, to read: the formula at the angle of every facet":
+        "Stapel gemessener dünner Schichten als OSL-Skript, zum Lesen: die Formel im Winkel jeder Facette",
     "Films of measured layers, at the angle of every facet: slower and noisier, to compare with":
         "Stapel gemessener dünner Schichten, im Winkel jeder Facette: langsamer und mit mehr Rauschen, zum Vergleich",
     "Films of measured layers, clean and fast: the one to take first":
