@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import finishes, models
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .models.record import Record
 
 __all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake", "create_fresnel_ramp", "create_material",
-           "export", "fit", "principled_twin", "rebake", "record_of", "switch_realisation"]
+           "export", "fit", "principled_twin", "ready_for_export", "rebake", "record_of", "switch_realisation"]
 
 MODELS = models.names()
 FINISHES = finishes.names()
@@ -183,6 +183,24 @@ def principled_twin(material: bpy.types.Material, name: str | None = None) -> bp
     from .blender.datablocks import materials, principled
     materials.require_name(name)
     return principled.twin_of(material, name)
+
+
+def ready_for_export(materials: Iterable[bpy.types.Material] | None = None) -> dict[str, dict[str, tuple[str, ...]]]:
+    """Put what FBX, OBJ and other exporters read into materials of ours: a Principled BSDF that nothing renders.
+
+    materials  by default all of this file that are ours and may be changed
+
+    In a window File, Export does this by itself; glTF and USD do without.  Returns, for each material's name, what FBX
+    and OBJ lose of it, as {"FBX": sentences, "OBJ": sentences}.  The nodes go again with the next change through a door
+    of this extension; after a change of sockets call it again.
+
+    Raises FacetFilmError for a material that is not ours, and for one that is linked.
+    """
+    from .blender.exporters import standins
+    from .export import lost_in
+    chosen = standins.ours() if materials is None else list(materials)
+    found = {material.name: standins.renew(material) for material in chosen}
+    return {name: {form: lost_in(standin, form) for form in ("FBX", "OBJ")} for name, standin in found.items()}
 
 
 def create_fresnel_ramp(preset: Any, **options: Any) -> bpy.types.NodeTree:

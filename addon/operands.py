@@ -18,7 +18,7 @@ import numpy as np
 
 __all__ = [
     "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
-    "minimum", "maximum", "clip", "less", "where", "lookup",
+    "minimum", "maximum", "clip", "fraction", "less", "where", "lookup", "lookup_three",
     "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
     "part", "term",
 ]
@@ -114,6 +114,15 @@ def clip(x, low, high):
     return minimum(maximum(x, low), high)
 
 
+def fraction(x):
+    """x less the largest whole number that is not above it, [0, 1).
+
+    >>> float(fraction(-0.25))
+    0.75
+    """
+    return _apply("fraction", lambda a: np.asarray(a) - np.floor(a), x)
+
+
 def less(x, y):
     """1.0 where x < y, else 0.0."""
     return _apply("less", lambda a, b: np.less(a, b).astype(float), x, y)
@@ -142,6 +151,20 @@ def lookup(x, knots, values):
     if node is not None:
         return node.builder.lookup(x, knots, values)
     return np.interp(x, knots, values)
+
+
+def lookup_three(x, knots, values):
+    """Three values at x, ``(..., 3)``, as :func:`lookup` finds one; values ``(K, 3)``, K at most 32.
+
+    With nodes a color ramp, which the renderer keeps as a table of 256 entries.
+
+    >>> lookup_three(0.5, [0.0, 1.0], [[0.0, 1.0, 2.0], [1.0, 1.0, 0.0]]).tolist()
+    [0.5, 1.0, 1.0]
+    """
+    node = _nodes([x])
+    if node is not None:
+        return node.builder.lookup_three(x, knots, values)
+    return np.stack([np.interp(x, knots, channel) for channel in np.transpose(values)], axis=-1)
 
 
 def dot(a, b):

@@ -2,9 +2,9 @@
 
     python tools/build_groups.py [--again] [--record]
 
-A file for every group but those of OSL, whose compiled code belongs to one Blender version.  A file that an older
-Blender wrote opens in a newer one, so one library serves all.  --record writes the groups' fingerprints into
-node_groups/versions.json, and refuses where a group has changed and its version has not.
+A file for every group of a model, and one for the finishes; none for those of OSL, whose compiled code belongs to one
+Blender version.  A file that an older Blender wrote opens in a newer one, so one library serves all.  --record writes
+the groups' fingerprints into node_groups/versions.json, and refuses where a group has changed and its version has not.
 """
 
 import argparse
@@ -38,7 +38,7 @@ def ensure(again=False):
 
 
 def build(folder):
-    """Build every group anew and save each, compressed, with nothing else; a line each of how far it is."""
+    """Build every group anew and save each file, compressed, with nothing else; a line a group of how far it is."""
     import bpy
 
     from addon.blender.datablocks import groups
@@ -47,12 +47,15 @@ def build(folder):
     for old in folder.glob("*.blend"):
         old.unlink()  # a group that is brought in is taken from here
     wanted = [group for group in groups.all_groups() if not group.osl]
+    files = {}
     for number, group in enumerate(wanted, 1):
         tree = groups.build_group(group.identifier)
         if not group.stand_in:  # the others get a second shader when they are brought in
             groups.mark(tree, group)
-        packed_blend.write(folder / f"{group.identifier}.blend", {tree})
+        files.setdefault(groups.library_file(group.identifier).name, set()).add(tree)
         print(f"{number}/{len(wanted)} {group.name}: {len(tree.nodes)} nodes", flush=True)
+    for name, trees in files.items():
+        packed_blend.write(folder / name, trees)
 
 
 def fingerprints():

@@ -8,7 +8,7 @@ from ..reflectance import fresnel
 from .colour import delta_e_2000, lab
 from .fit import colour_metric
 
-__all__ = ["COS_THETA", "Fit", "fit_dielectric", "fit_metal", "fit_mirror"]
+__all__ = ["COS_THETA", "Fit", "fit_curve", "fit_dielectric", "fit_metal", "fit_mirror"]
 
 COS_THETA = np.sqrt((np.arange(24) + 0.5) / 24.0)
 """Angles that a ball shows an even share of its disc at, ``(24,)``: a mean over them is a mean over the picture."""
@@ -67,6 +67,15 @@ def fit_metal(rgb, metallic):
     def curve(x):
         return x[3] * fresnel.schlick(COS_THETA[:, None], x[:3]) + (1.0 - x[3]) * x[:3]
     return _found(curve, np.concatenate([rgb[-1], [metallic]]), rgb)
+
+
+def fit_curve(curve, start, rgb):
+    """The Fit of any family of colours, whose first three parameters are `base`, all in [0, 1].
+
+    curve  function of the parameters: linear Rec.709, ``(A, 3)``
+    rgb    what it comes closest to, likewise
+    """
+    return _found(curve, start, rgb)
 
 
 def _found(curve, start, rgb, high=1.0):

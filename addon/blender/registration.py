@@ -4,7 +4,7 @@ import bpy
 
 from . import layers, settings, translations
 from .assets import imported
-from .exporters import usd
+from .exporters import standins, usd
 from .operators import (
     add_group,
     apply,
@@ -51,7 +51,7 @@ CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES,
            *layers_operators.CLASSES, *material.CLASSES, *layers_panel.CLASSES, *finish_panel.CLASSES,
            *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES,
            *preferences.CLASSES)
-ATTACHED = (translations, settings, card, menus, node_menu, imported, usd)
+ATTACHED = (translations, settings, card, menus, node_menu, imported, usd, standins)
 COMMAND = "facet_film"
 _commands = []
 

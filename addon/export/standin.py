@@ -5,7 +5,8 @@ from typing import NamedTuple
 
 from ..reflectance.fresnel import index_from_normal
 
-__all__ = ["LOST", "Standin", "gltf", "index_of", "openpbr", "preview_surface", "principled"]
+__all__ = ["HAS", "LOST", "LOST_THERE", "Standin", "gltf", "index_of", "lost_in", "openpbr", "plain", "preview_surface",
+           "principled"]
 
 LOST = {
     "facets": "The facets' distribution becomes GGX, whose highlights have wider tails.",
@@ -16,6 +17,31 @@ LOST = {
     "look": "What this material does with light has no counterpart there: its color and gloss at a glance remain.",
 }
 """What shaders of base colour and metalness do not have."""
+
+LOST_THERE = {
+    "edge": "A metal's color towards the edge is lost there.",
+    "ior": "The index of refraction is lost there: 1.5 is taken.",
+    "transmission": "What is seen through arrives opaque there.",
+    "attenuation": "Absorption over the depth is lost there: the color is that of the mean depth.",
+    "abbe": "Dispersion is lost there.",
+    "anisotropy": "Anisotropy is lost there.",
+    "film": "Interference in the clear film is lost there.",
+}
+"""What only some formats have, and the sentence where one lacks it."""
+
+HAS = {
+    "glTF": ("ior", "transmission", "attenuation", "abbe", "anisotropy", "film"),
+    "UsdPreviewSurface": ("ior", "transmission"),
+    "OBJ": ("ior", "transmission", "anisotropy"),
+    "FBX": (),
+}
+"""A format -> what it has of LOST_THERE, as Blender's exporters write it."""
+
+USUAL_INDEX, USUAL_F0, LARGEST_F0 = 1.5, 0.04, 0.08
+"""The index that formats without one mean, its normal reflectance, and the largest that a Specular IOR Level gives."""
+
+SEEN = 0.01
+"""Of an index, or of an edge's tint: less than that is not said to be lost."""
 
 FAINT = 0.02
 """What the strongest channel loses over a glTF volume's distance.  By Beer and Lambert's law, which glTF has, any
@@ -36,7 +62,7 @@ class Standin(NamedTuple):
     transmission  share that passes into the body
     thin_walled   whether the mesh is one sheet
     attenuation   (colour of white light after the distance, distance), or None
-    thickness     of the body where a format wants one
+    thickness     of the body where a format wants one depth
     abbe          V_d of the body, or None
     anisotropy, rotation  of the facets, 0 to 1
     film          (thickness in nm, index) of an interfering film, or None
@@ -85,12 +111,48 @@ def principled(standin):
     return found
 
 
+def plain(standin):
+    """{socket: value} of the Principled BSDF for exporters that read numbers off it and know no edge tint: FBX, OBJ."""
+    found = {**principled(standin), "Specular Tint": (1.0, 1.0, 1.0, 1.0)}
+    if standin.metallic > 0.0 and standin.base_alone:
+        found["Base Color"] = (*standin.base_alone, 1.0)
+    if _by_level(standin):
+        found.update({"IOR": USUAL_INDEX, "Specular IOR Level": 0.5 * _f0(standin) / USUAL_F0})
+    return found
+
+
+def _by_level(standin):
+    """Whether the gloss of what is opaque is said by a level, which more formats have than an index."""
+    return standin.transmission == 0.0 and standin.metallic < 1.0 and _f0(standin) <= LARGEST_F0
+
+
+def _f0(standin):
+    return standin.specular * ((standin.ior - 1.0) / (standin.ior + 1.0)) ** 2
+
+
+def lost_in(standin, form):
+    """The sentences on what a format of HAS loses of a material: what none of them has, and what this one lacks.
+
+    >>> lost_in(Standin((1.0, 1.0, 1.0), ior=1.333, transmission=1.0), "FBX")[1]
+    'What is seen through arrives opaque there.'
+    """
+    s = standin
+    clear = s.transmission > 0.0
+    held = {
+        "edge": s.metallic > 0.0 and min(s.edge) < 1.0 - SEEN,
+        "ior": s.metallic < 1.0 and abs(s.ior - USUAL_INDEX) > SEEN and not _by_level(s),
+        "transmission": clear, "abbe": clear and s.abbe is not None, "anisotropy": s.anisotropy > 0.0,
+        "attenuation": clear and not s.thin_walled and s.attenuation is not None and min(s.attenuation[0]) < 1.0,
+        "film": s.film is not None}
+    return (*s.lost, *(said for what, said in LOST_THERE.items() if held[what] and what not in HAS[form]))
+
+
 def _through(standin):
-    """Colour of a face of a body that is `thickness` deep: two of them are passed."""
+    """Colour of white light after a body that is `thickness` deep; a Principled BSDF takes its root at each face."""
     if standin.attenuation is None:
         return standin.base
     colour, distance = standin.attenuation
-    share = 0.5 * standin.thickness / distance
+    share = standin.thickness / distance
     return tuple(base * max(channel, 1e-6) ** share for base, channel in zip(standin.base, colour))
 
 

@@ -204,7 +204,7 @@ def _viewing(model, resolved, renderer, viewing):
     alone, and {} where a model has none.
     """
     if resolved.constants is None and not model.picture:
-        return {"space": renderer.space} if model.measured else {}
+        return {"space": renderer.space} if model.baked_names else {}
     from ..bake.reflected import Viewing
     found = Viewing(**{"space": renderer.space, **(viewing or {})})
     return {"illuminant": found.illuminant, "observer": found.observer, "space": found.space, "adapt": found.adapt,

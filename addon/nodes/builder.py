@@ -30,7 +30,7 @@ MATH = {
     "add": "ADD", "subtract": "SUBTRACT", "multiply": "MULTIPLY", "divide": "DIVIDE", "power": "POWER",
     "minimum": "MINIMUM", "maximum": "MAXIMUM", "absolute": "ABSOLUTE", "sin": "SINE", "cos": "COSINE",
     "tan": "TANGENT", "sqrt": "SQRT", "inverse_sqrt": "INVERSE_SQRT", "exp": "EXPONENT", "arccos": "ARCCOSINE",
-    "less": "LESS_THAN", "log": "LOGARITHM", "multiply_add": "MULTIPLY_ADD",
+    "less": "LESS_THAN", "log": "LOGARITHM", "multiply_add": "MULTIPLY_ADD", "fraction": "FRACT",
 }
 VECTOR_MATH = {name: MATH[name] for name in (
     "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan")}
@@ -192,6 +192,16 @@ class GroupBuilder:
             set_knots(node.mapping, 0, knots, values)
             self.connect(socket_of(node.inputs, "Value"), x)
             self._shared[key] = NodeOperand(self, "FLOAT", node.outputs[0])
+        return self._shared[key]
+
+    def lookup_three(self, x, knots, values):
+        """A Color Ramp of straight lines between knots, which renders in half the time of three curves."""
+        key = ("lookup_three", self._key(x), tuple(knots), tuple(map(tuple, values)))
+        if key not in self._shared:
+            node = self._new_node("ShaderNodeValToRGB", {})
+            set_stops(node.color_ramp, knots, values)
+            self.connect(socket_of(node.inputs, "Fac"), x)
+            self._shared[key] = NodeOperand(self, "VECTOR", node.outputs[0])
         return self._shared[key]
 
     def script(self, file, values):
@@ -396,6 +406,17 @@ def set_knots(mapping, curve, knots, values):
         point.location = (float(knot), float(value))
         point.handle_type = "VECTOR"
     mapping.update()
+
+
+def set_stops(ramp, knots, values):
+    """Put straight lines between knots, at most 32, into a color ramp."""
+    ramp.color_mode, ramp.interpolation = "RGB", "LINEAR"
+    while len(ramp.elements) < len(knots):
+        ramp.elements.new(0.5)
+    for stop, knot in zip(ramp.elements, knots):
+        stop.position = float(knot)
+    for stop, value in zip(ramp.elements, values):
+        stop.color = (*map(float, value), 1.0)
 
 
 def constant(operand):

@@ -22,9 +22,9 @@ from ..operands import (
     maximum,
     minimum,
     normalize,
+    part,
     rotate,
     sqrt,
-    term,
     vector,
     where,
     widen,
@@ -35,7 +35,8 @@ from ..operands import (
 from .directions import PI, frame_along
 from .slopes import along_across
 
-__all__ = ["mean_v_h", "spread_v_h", "two_looks", "tilts", "seen_along", "tilted_lobes", "ROUGHEST_FITTED"]
+__all__ = ["mean_v_h", "spread_v_h", "two_looks", "tilts", "seen_along", "tilted_lobes", "lobes_of",
+           "ROUGHEST_FITTED"]
 
 ROUGHEST_FITTED = 0.6
 """Above this slope mean and spread are those of this slope."""
@@ -45,7 +46,7 @@ LEAST_SPREAD, LEAST_COLOUR, LEAST_SINE, LEAST_SINE2 = 1e-4, 1e-3, 1e-3, 1e-6
 """Keep denominators away from 0: of an m of nearly 0, of black, and of a view along the normal."""
 
 
-@term("Mean V.H")
+@part("Mean V·H")
 def mean_v_h(n_v, m):
     """Mean of V·H over the facets of a Beckmann surface that send light to V in an even surrounding.
 
@@ -67,7 +68,7 @@ def mean_v_h(n_v, m):
     return n_v - n_v * m2 * (0.6651 - 0.6513 * m) + sine * leaning
 
 
-@term("Spread V.H")
+@part("Spread V·H")
 def spread_v_h(n_v, m):
     """Standard deviation of V·H over the same facets; off by at most 0.009 to m = 0.2, 0.023 to 0.6.
 
@@ -105,7 +106,7 @@ def two_looks(n_v, m, look):
     return SimpleNamespace(mean=0.5 * (high + low), half=0.5 * (high - low), reach=reach)
 
 
-@term("Tilt")
+@part("Tilts")
 def tilts(n_v, m, mean, half, reach):
     """What V − (N·V) N is multiplied by to tilt each channel's lobe, ``(..., 3)``.
 
@@ -126,7 +127,7 @@ def tilts(n_v, m, mean, half, reach):
     return clip((x + BEND * (x * x * x)) * widen(strength), -1.0 * most, most)
 
 
-@term("m(V)")
+@part("Slope towards the Viewer", "m(V)", "along")
 def seen_along(n, v, m, tangent, rotation, anisotropy):
     """(slope in the plane of N and V, what a lobe's normal is tilted along) of facets that are stretched.
 
@@ -171,10 +172,22 @@ def tilted_lobes(n, v, m, look, towards=None):
     ([0.818, 0.0, 0.0], [0.014, 0.0, 1.0], [0.0, 0.0, 1.0])
     """
     n_v = minimum(dot(n, v), 1.0)
-    film = two_looks(n_v, m, look)
-    tilt = tilts(n_v, m, film.mean, film.half, film.reach)
     towards = v - widen(n_v) * n if towards is None else towards
-    r, g, b = (part(film.mean) for part in (x_of, y_of, z_of))
+    return lobes_of(n, n_v, m, two_looks(n_v, m, look), towards)
+
+
+def lobes_of(n, n_v, m, film, towards):
+    """The same of the looks of :func:`two_looks`, by name mean, half and reach.
+
+    >>> from types import SimpleNamespace
+    >>> from addon.reflectance.directions import direction
+    >>> grey = SimpleNamespace(mean=[0.5, 0.5, 0.5], half=[0.0, 0.0, 0.0], reach=0.05)
+    >>> lobes = lobes_of(direction(0.0, 0.0), 0.8, 0.1, grey, direction(1.5, 0.0))
+    >>> lobes[0][0].tolist(), lobes[0][1].tolist()
+    ([0.5, 0.0, 0.0], [0.0, 0.0, 1.0])
+    """
+    tilt = tilts(n_v, m, film.mean, film.half, film.reach)
+    r, g, b = (component(film.mean) for component in (x_of, y_of, z_of))
     colours = (vector(r, 0.0, 0.0), vector(0.0, g, 0.0), vector(0.0, 0.0, b))
-    return [(colour, normalize(n + widen(part(tilt)) * towards))
-            for colour, part in zip(colours, (x_of, y_of, z_of))]
+    return [(colour, normalize(n + widen(component(tilt)) * towards))
+            for colour, component in zip(colours, (x_of, y_of, z_of))]

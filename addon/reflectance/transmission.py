@@ -5,8 +5,8 @@ n is the index inside relative to that outside; lengths and absorption have inve
 
 from ..operands import exp, minimum, sqrt, term
 
-__all__ = ["LAMBDA_D", "cauchy", "cos_inside", "slab_reflectance", "slab_transmittance", "straight_path",
-           "transmittance"]
+__all__ = ["LAMBDA_D", "cauchy", "cauchy_over_x", "cos_inside", "slab_reflectance", "slab_transmittance",
+           "straight_path", "transmittance"]
 
 LAMBDA_D = 0.5875618
 """The helium d line, in µm."""
@@ -85,5 +85,14 @@ def cauchy(wavelength, n_d, b, c):
     >>> cauchy(LAMBDA_D, 1.5, 0.004, 0.0)
     1.5
     """
-    x, x_d = 1.0 / (wavelength * wavelength), 1.0 / LAMBDA_D**2
-    return n_d + (x - x_d) * (b + c * (x + x_d))
+    return cauchy_over_x(1.0 / (wavelength * wavelength) - LAMBDA_D**-2, n_d, b, c)
+
+
+@term("n(λ)")
+def cauchy_over_x(x, n_d, b, c):
+    """The same at x = 1/λ² − 1/λ_d², in 1/µm².
+
+    >>> cauchy_over_x(0.0, 1.5, 0.004, 0.0)
+    1.5
+    """
+    return n_d + x * (b + c * (x + 2.0 * LAMBDA_D**-2))

@@ -97,7 +97,7 @@ def shadow_of_a_ball(realisation, rendered, parameters):
     """A floor close below a ball, seen from between them; what true paths give is rendered, too."""
     found = []
     for shown in (rendered, {**parameters, "see_through": 0.0}):
-        scene = _scene(samples=1024, resolution=8, extent=1.6)
+        scene = _scene(samples=4096, resolution=8, extent=1.6)
         scene.camera.location.z = -1.05
         scenes.set_world(scene, 1.0)
         scenes.add_sphere(api.create_material(MODEL, realisation=realisation, **shown), segments=64)

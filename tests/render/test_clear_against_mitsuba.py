@@ -25,6 +25,16 @@ def test_dispersive_is_the_spectral_picture(name):
     assert found <= compare.MOST[name]
 
 
+def test_a_brilliant_has_half_the_noise_of_three_glasses():
+    """Each path has its one wavelength, whatever it meets inside."""
+    def noise(make):
+        scene = compare.cycles_scene("brilliant", lambda *_: make("diamond"), len(REFERENCE["brilliant"]), 256)
+        return compare.noise(scenes.render_seeds(scene, 2))
+    found = noise(compare.dispersive) / noise(compare.three_glasses)
+    print(f"brilliant: {found:.2f} times the noise of three Glass BSDFs")
+    assert found <= compare.MOST_NOISE
+
+
 def test_the_comparison_fails_for_one_index():
     assert off("prism", compare.standard) > 2.0 * compare.MOST["prism"]
 

@@ -100,6 +100,38 @@ def test_films_of_one_stack_share_an_image_and_a_group():
         assert pictures.image_in(stand_in) == pictures.image_in(tree)
 
 
+def image_nodes(tree):
+    """The Image Texture nodes of a group and its parts, without those of the group that EEVEE shows."""
+    inside = [node.node_tree for node in tree.nodes if node.bl_idname == "ShaderNodeGroup"]
+    return [node for node in tree.nodes if node.bl_idname == "ShaderNodeTexImage"] + [
+        node for group in inside if not groups.group_id(group) for node in image_nodes(group)]
+
+
+def test_the_parts_that_look_colours_up_are_there_once_for_each_image():
+    """Also for what comes in from another file with parts of its own."""
+    first, second = (api.create_material(preset=name) for name in ("anodised_titanium", "heat_tinted_steel"))
+    api.switch_realisation(second, "exact")
+    api.create_material(preset="anodised_titanium", realisation="exact")
+    for material in bpy.data.materials:
+        tree = materials.our_node(material).node_tree
+        assert {node.image for node in image_nodes(tree)} == {pictures.image_in(tree)}
+    tables = [tree for tree in bpy.data.node_groups if tree.name.startswith(".Film's Table") and "Bl" not in tree.name]
+    assert len(tables) == len({pictures.image_in(tree) for tree in tables}) == 2
+    assert pictures.image_in(materials.our_node(first).node_tree) in {pictures.image_in(tree) for tree in tables}
+
+
+def test_films_of_another_file_share_the_parts_that_are_there(tmp_path):
+    material = api.create_material(preset="anodised_titanium")
+    material.use_fake_user = True  # what nobody uses is not saved
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "films.blend"), copy=True)
+    here = {tree.name for tree in bpy.data.node_groups}
+    with bpy.data.libraries.load(str(tmp_path / "films.blend")) as (_, target):
+        target.materials = [material.name]
+    assert {tree.name for tree in bpy.data.node_groups} > here
+    groups.merge_groups()
+    assert {tree.name for tree in bpy.data.node_groups} == here
+
+
 def test_the_image_is_packed_and_holds_numbers():
     api.create_material(preset="soap_bubble")
     image, = bpy.data.images
@@ -165,7 +197,7 @@ def test_eevee_and_cycles_agree_on_a_gradient():
     tree = materials.our_node(material).node_tree
     eevee = stand_in_of(tree)
     for group, filters in ((tree, {"Linear"}), (eevee, {"Closest"})):
-        assert {node.interpolation for node in group.nodes if node.bl_idname == "ShaderNodeTexImage"} == filters
+        assert {node.interpolation for node in image_nodes(group)} == filters
     cycles = probes.render(scene)
     node = materials.our_node(material)
     outputs = [n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeOutputMaterial"]

@@ -3,6 +3,7 @@
 import ast
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import pytest
@@ -10,12 +11,12 @@ import pytest
 import addon
 from addon import api, export
 from addon.bake import spread
-from addon.blender import registration
+from addon.blender import registration, translations
 from addon.blender.datablocks import groups, menu
 from addon.blender.operators import bake
-from addon.blender.translations import LANGUAGES
+from addon.blender.translations import LANGUAGES, texts_of
 from addon.errors import FacetFilmError
-from addon.export.standin import LOST
+from addon.export.standin import LOST, LOST_THERE
 from addon.models import all_models
 from addon.spectra.illuminants import TITLES
 
@@ -113,7 +114,7 @@ def texts_of_models():
     """What menus and lists show of models, presets' kinds, and forms."""
     of_groups = {text for part in menu.parts() for _, name, summary in part for text in (name, summary)}
     of_forms = {text for model in all_models() for form in model.forms.values() for text in (form.title, form.tip)}
-    return of_groups | of_forms | set(LOST.values())
+    return of_groups | of_forms | {*LOST.values(), *LOST_THERE.values()}
 
 
 @pytest.fixture(scope="module")
@@ -155,21 +156,36 @@ def test_errors_of_artists_are_sentences_that_can_be_looked_up():
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_text_is_translated(texts, language):
     assert len(texts) > 100
-    missing = sorted(text for text in texts if text not in LANGUAGES[language])
+    missing = sorted(text for text in texts if text not in texts_of(language))
     assert not missing, "\n".join(map(repr, missing))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_no_translation_is_left_over_or_loses_a_value(texts, language):
-    assert sorted(set(LANGUAGES[language]) - texts) == []
-    for text, translated in LANGUAGES[language].items():
+    assert sorted(set(texts_of(language)) - texts) == []
+    for text, translated in texts_of(language).items():
         assert translated.strip(), text
         assert sorted(re.findall(r"\{.*?\}", text)) == sorted(re.findall(r"\{.*?\}", translated)), text
 
 
+@pytest.mark.parametrize("locale, given", [("de_DE", 1), ("de", 1), ("zh_HANS", 1), ("en_US", 0), ("", 0)])
+def test_blender_is_handed_the_language_that_it_speaks_and_takes_it_back(monkeypatch, locale, given):
+    held = {}
+    told = SimpleNamespace(locale=locale, register=held.__setitem__, unregister=lambda name: held.pop(name, None))
+    handlers = SimpleNamespace(translation_update_post=[])
+    monkeypatch.setattr(translations, "bpy", SimpleNamespace(app=SimpleNamespace(translations=told, handlers=handlers)))
+    translations.attach()
+    assert [set(texts) for texts in held.values()] == [{locale}] * given
+    told.locale = "zh_HANS"
+    handlers.translation_update_post[0](None, None)
+    assert held[translations.__name__]["zh_HANS"]["Operator", "Add"] == texts_of("zh_HANS")["Add"]
+    translations.detach()
+    assert not held and not handlers.translation_update_post
+
+
 def in_language(language):
     """As Blender's function that looks texts up does in this language, which Blender as a module lacks."""
-    return lambda text: LANGUAGES[language].get(text, text)
+    return lambda text: texts_of(language).get(text, text)
 
 
 @pytest.mark.parametrize("language, preset, sentence", [

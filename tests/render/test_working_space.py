@@ -86,9 +86,10 @@ def test_a_material_looks_alike_in_every_space(name):
     assert spaces.is_foreign(material) and "ACEScg" in spaces.said_of_space(material)
     assert bpy.ops.facet_film.match_space() == {"FINISHED"}
     assert not spaces.is_foreign(material) and not spaces.said_of_space(material)
-    assert difference(first, seen(scene)) <= SAME
-    for space in spaces_of_it[1:]:
-        assert difference(first, seen(in_a_file(space, **FIVE[name])[0])) <= SAME
+    found = {"converted, one click": difference(first, seen(scene))}
+    found.update({space: difference(first, seen(in_a_file(space, **FIVE[name])[0])) for space in spaces_of_it[1:]})
+    print(name, spaces_of_it[0], {where: round(apart, 3) for where, apart in found.items()})
+    assert max(found.values()) <= SAME
 
 
 @can_change
@@ -97,7 +98,24 @@ def test_a_tinted_glass_differs_by_no_more_than_its_fits():
     scene, material = in_a_file("Rec.709", **TINTED)
     plain, first = seen(scene), api.record_of(material).baked["attenuation"]["delta_e_2000_max"]
     scene, material = in_a_file("ACEScg", **TINTED)
+    print("green glass", round(difference(plain, seen(scene)), 2))
     assert difference(plain, seen(scene)) <= first + api.record_of(material).baked["attenuation"]["delta_e_2000_max"]
+
+
+@can_change
+@pytest.mark.parametrize("preset", ["nacre", "tempered_steel"])
+def test_a_layer_of_three_channels_comes_nearer(preset):
+    """It cannot be the same, as its channels mix in no other space; indices and wavelengths do what they can."""
+    scene, material = in_a_file("Rec.709", preset=preset)
+    first = seen(scene)
+    set_space("ACEScg")
+    assert spaces.is_foreign(material)
+    before = difference(first, seen(scene))
+    assert bpy.ops.facet_film.match_space() == {"FINISHED"} and not spaces.is_foreign(material)
+    after = difference(first, seen(scene))
+    print(preset, round(before, 2), "after the click", round(after, 2))
+    assert after < 0.5 * before
+    assert difference(seen(scene), seen(in_a_file("ACEScg", preset=preset)[0])) < SAME
 
 
 @can_change

@@ -27,7 +27,8 @@ SETTINGS = {
     "ShaderNodeBsdfGlass": ("distribution",), "ShaderNodeBsdfRefraction": ("distribution",),
     "ShaderNodeTexVoronoi": ("voronoi_dimensions", "feature", "distance", "normalize"),
     "ShaderNodeAmbientOcclusion": ("samples", "inside", "only_local"),
-    "ShaderNodeLightPath": (), "ShaderNodeObjectInfo": (), "ShaderNodeFloatCurve": (),
+    "ShaderNodeLightPath": (), "ShaderNodeObjectInfo": (), "ShaderNodeFloatCurve": (), "ShaderNodeValToRGB": (),
+    "ShaderNodeFresnel": (),
     "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
     "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
@@ -80,6 +81,8 @@ def _of_node(node, known):
         facts.append(hashlib.sha256(node.script.as_string().encode()).hexdigest())
     if kind == "ShaderNodeFloatCurve":
         facts.append([tuple(round(x, 5) for x in point.location) for point in node.mapping.curves[0].points])
+    if kind == "ShaderNodeValToRGB":  # its colours are converted where a file's space changes
+        facts.append([node.color_ramp.interpolation, *(round(stop.position, 5) for stop in node.color_ramp.elements)])
     idle = IDLE.get(getattr(node, "fresnel_type", ""), {})
     facts += [(socket.identifier, _shown(idle.get(socket.identifier, socket.default_value)))
               for socket in _valued(node)]

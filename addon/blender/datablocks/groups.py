@@ -17,8 +17,8 @@ __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "fo
            "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
-"""The groups as tools/build_groups.py built them, a file for each: appending one takes milliseconds, building one
-seconds; and of a file with several Blender reads them all."""
+"""The groups as tools/build_groups.py built them, appending one takes milliseconds, building one seconds;
+and of a file with several Blender reads them all."""
 
 EEVEE_OUTPUT = "EEVEE"
 VERSION_KEY = "facet_film_version"
@@ -168,8 +168,8 @@ def build_group(identifier):
 
 
 def library_file(identifier):
-    """Where the library holds the group with this id."""
-    return LIBRARY / f"{identifier}.blend"
+    """Where the library holds the group with this id; those of the finishes, which are small, are in one file."""
+    return LIBRARY / f"{identifier if model_of_group(identifier) else 'finishes'}.blend"
 
 
 def _from_library(group):

@@ -26,11 +26,13 @@ from .pictures import image_in, image_of, key_of, sockets_of_image, values_of_im
 if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits for what is imported here
     from ...models.record import Record
 
-__all__ = ["RECORD_KEY", "baked_of", "create", "exchange_group", "finish_node", "finish_of", "found_in",
+__all__ = ["RECORD_KEY", "STANDIN_KEY", "baked_of", "create", "exchange_group", "finish_node", "finish_of", "found_in",
            "is_measured", "model_of", "our_node", "parameters_of", "realisation_of", "record_of", "record_of_node",
-           "require_name", "write", "write_node"]
+           "remove_standin", "require_name", "write", "write_node"]
 
 RECORD_KEY = "facet_film"
+STANDIN_KEY = "facet_film_standin"
+"""Of the nodes that are there for exporters alone; what it holds says which numbers they are of."""
 NODE_WIDTH = 240
 FEED_WIDTH = 200
 
@@ -67,11 +69,18 @@ def write(material: bpy.types.Material, record: Record) -> None:
         material.node_tree.nodes.clear()
         node = material.node_tree.nodes.new("ShaderNodeGroup")
         node.width = NODE_WIDTH
+    remove_standin(material)
     write_node(material.node_tree, node, record)
     model = model_of_group(record.group)
     set_refraction(material, model.refracts, model.sheet(record.parameters))
     material[RECORD_KEY] = record.to_json()
     _show_in_viewport(material, record)
+
+
+def remove_standin(material: bpy.types.Material) -> None:
+    """Take away the nodes that stand in for a material in exporters: they are of what it was."""
+    for node in [node for node in material.node_tree.nodes if STANDIN_KEY in node]:
+        material.node_tree.nodes.remove(node)
 
 
 def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -> None:
@@ -357,6 +366,8 @@ def _wire_outputs(tree, node):
         wanted = {"CYCLES": 0, "EEVEE": 1}
     for target, index in wanted.items():
         output = tree.nodes.new("ShaderNodeOutputMaterial")
+        if index == 0:
+            output.is_active_output = True  # whatever other outputs there are
         output.target = target
         output.location = (node.location.x + NODE_WIDTH + 60, node.location.y - 160 * index)
         tree.links.new(node.outputs[index], output.inputs[0])

@@ -4,23 +4,30 @@ import bpy
 
 from .fingerprints import PART_KEY, fingerprint, fingerprint_of_part
 from .locked import is_editable
+from .pictures import SHOWS, image_in, key_of, note_pictures
 
 __all__ = ["drop_unused_parts", "mark_parts", "merge_parts"]
 
 
 def mark_parts(trees):
-    """Note in parts what they compute, once they are whole."""
+    """Note in parts what they compute, once they are whole, and which of them show an image."""
+    trees = list(trees)
+    note_pictures(trees)
     for tree in trees:
         tree[PART_KEY] = fingerprint(tree)
 
 
 def merge_parts():
-    """Make one of equal parts in the file: what comes in brings its own. One that someone edited stays by itself."""
+    """Make one of equal parts in the file: what comes in brings its own. One that someone edited stays by itself.
+
+    Those that show images are equal where these are the same.
+    """
     found = {}
     for tree in _parts():
-        found.setdefault(tree[PART_KEY], []).append(tree)
+        shown = key_of(image_in(tree)) if SHOWS in tree else ""
+        found.setdefault((tree[PART_KEY], shown), []).append(tree)
     needless, known = [], {}
-    for key, trees in found.items():
+    for (key, _), trees in found.items():
         same = [tree for tree in trees if fingerprint_of_part(tree, known) == key] if len(trees) > 1 else []
         for tree in same[1:]:
             tree.user_remap(same[0])

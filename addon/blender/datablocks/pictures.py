@@ -4,9 +4,15 @@ import json
 
 import bpy
 
-__all__ = ["image_in", "image_of", "key_of", "put_image", "sockets_of_image", "values_of_image"]
+from .fingerprints import PART_KEY
+from .locked import is_editable
+
+__all__ = ["SHOWS", "image_in", "image_of", "key_of", "note_pictures", "put_image", "sockets_of_image",
+           "values_of_image"]
 
 KEY, VALUES, SOCKETS = "facet_film_picture", "facet_film_values", "facet_film_sockets"
+SHOWS = "facet_film_shows"
+"""What is kept in parts that show an image."""
 
 
 def image_of(picture):
@@ -32,16 +38,61 @@ def _new_image(picture, pixels, values, sockets):
 
 
 def image_in(tree):
-    """The image of ours that a node group shows, or None."""
-    nodes = tree.nodes if tree is not None else ()
-    return next((node.image for node in nodes if node.bl_idname == "ShaderNodeTexImage" and key_of(node.image)), None)
+    """The image of ours that a node group shows, itself or in a part of it, or None."""
+    return next((image for image in _images_in(tree) if key_of(image)), None)
 
 
 def put_image(tree, image):
-    """Have all Image Texture nodes of a group show an image."""
+    """Have all Image Texture nodes of a group show an image.
+
+    A part that shows an image is there once for each: where it has another one, the image's own takes its place.
+    """
     for node in tree.nodes:
         if node.bl_idname == "ShaderNodeTexImage":
             node.image = image
+        elif _shows_picture(node):
+            part = node.node_tree
+            shown = next(_images_in(part), None)
+            if shown is None:
+                put_image(part, image)
+            elif shown != image:
+                node.node_tree = _with_image(part, image)
+
+
+def _images_in(tree):
+    """Every image that a group's nodes show, and those of its parts."""
+    for node in tree.nodes if tree is not None else ():
+        if node.bl_idname == "ShaderNodeTexImage":
+            if node.image is not None:
+                yield node.image
+        elif _shows_picture(node):
+            yield from _images_in(node.node_tree)
+
+
+def note_pictures(parts):
+    """Note in the parts that show an image that they do, so that it is not looked for in others."""
+    parts = list(parts)
+    while True:
+        found = [part for part in parts if SHOWS not in part and any(
+            node.bl_idname == "ShaderNodeTexImage" or _shows_picture(node) for node in part.nodes)]
+        if not found:
+            return
+        for part in found:
+            part[SHOWS] = True
+
+
+def _shows_picture(node):
+    return node.bl_idname == "ShaderNodeGroup" and node.node_tree is not None and SHOWS in node.node_tree
+
+
+def _with_image(part, image):
+    """The part with another image: one that the file has, or a copy."""
+    for tree in bpy.data.node_groups:
+        if SHOWS in tree and tree.get(PART_KEY) == part[PART_KEY] and is_editable(tree) and image_in(tree) == image:
+            return tree
+    copy = part.copy()
+    put_image(copy, image)
+    return copy
 
 
 def key_of(image):

@@ -17,7 +17,7 @@ def write_material(target, material, settings):
     from io_scene_gltf2.io.com import gltf2_io
     from io_scene_gltf2.io.com.gltf2_io_extensions import Extension
 
-    from ...export import gltf
+    from ...export import gltf, lost_in
     told = told_of(getattr(material, "original", material))
     if told is None:
         return
@@ -31,5 +31,5 @@ def write_material(target, material, settings):
     if "KHR_materials_volume" in extensions:
         target.double_sided = False
     target.extensions = {name: Extension(name, value, False) for name, value in extensions.items()}
-    for sentence in told.lost:
+    for sentence in lost_in(told, "glTF"):
         settings["log"].warning(f"{material.name}: {rpt_(sentence)}")

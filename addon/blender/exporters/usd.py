@@ -27,11 +27,11 @@ class FACET_FILM_USD_hook(HOOK):
         told = told_of(getattr(material, "original", material))
         if told is None:
             return False
-        from ...export import openpbr, preview_surface
+        from ...export import lost_in, openpbr, preview_surface
         _write(usd_material, SURFACE, "UsdPreviewSurface", preview_surface(told), "")
         _write(usd_material, OPENPBR, "ND_open_pbr_surface_surfaceshader", openpbr(told), "mtlx")
-        for sentence in told.lost:
-            print(f"{material.name}: {rpt_(sentence)}")
+        for sentence in lost_in(told, "UsdPreviewSurface"):
+            print(f"{material.name}, UsdPreviewSurface: {rpt_(sentence)}")
         return True
 
 

@@ -35,6 +35,8 @@ TEXTS = {
         "表面处理改变粗糙度，而 {model} 没有粗糙度：请选择其他模型的材质，或不用表面处理。",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "材质须为预设名称或数据集标识，而不是 {value!r}。",
+    "A metal's color towards the edge is lost there.":
+        "金属边缘处的颜色在该格式中会丢失。",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "理想反射体在任何光下都呈中性，如同已适应该光的眼睛",
     "A preset and {name} both say what the material is made of: give one of them.":
@@ -63,6 +65,8 @@ TEXTS = {
         "验证正在运行",
     "Absorption":
         "吸收",
+    "Absorption over the depth is lost there: the color is that of the mean depth.":
+        "随深度的吸收在该格式中会丢失：颜色取平均深度处的颜色。",
     "Active Slot":
         "活动槽",
     "Adapt White":
@@ -91,6 +95,8 @@ TEXTS = {
         "均匀细腻的颗粒，用于粗糙度、法线和漫射颜色",
     "Anisotropy":
         "各向异性",
+    "Anisotropy is lost there.":
+        "各向异性在该格式中会丢失。",
     "Another Version":
         "其他版本",
     "Apply":
@@ -266,6 +272,8 @@ TEXTS = {
         "色散",
     "Dispersion Curve":
         "色散曲线",
+    "Dispersion is lost there.":
+        "色散在该格式中会丢失。",
     "Dispersive":
         "色散",
     "Distribution":
@@ -364,6 +372,8 @@ TEXTS = {
         "用模型拟合实测 BRDF，放入材质槽并另存为自己的预设：RGL-EPFL 的 .bsdf、MERL 的 .binary 或文本形式的点。需要几秒钟；按 Esc 停止",
     "Fitting {:s}: {:d} %   (Esc stops)":
         "正在拟合 {:s}：{:d} %   （Esc 停止）",
+    "For exporters, not rendered":
+        "供导出使用，不参与渲染",
     "Form":
         "格式",
     "Free over the angle, for colours that change with it; with two slopes at most":
@@ -416,6 +426,8 @@ TEXTS = {
         "原位",
     "Inside, unchanged":
         "在色域内，未改变",
+    "Interference in the clear film is lost there.":
+        "透明薄膜的干涉在该格式中会丢失。",
     "Into a slot of its own; in Edit Mode for the selected faces":
         "放入单独的槽；编辑模式下用于所选的面",
     "Into every material slot of every selected object":
@@ -776,6 +788,8 @@ TEXTS = {
         "{file!r} 所在的文件夹不存在；请先创建，或另指定一个。",
     "The greatest thickness in nanometres":
         "最大厚度，单位纳米",
+    "The index of refraction is lost there: 1.5 is taken.":
+        "折射率在该格式中会丢失：取 1.5。",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "折射率 {text} 在 360 到 780 nm 内需要 n 大于 0 且 k 不小于 0。",
     "The library is in your preferences already":
@@ -927,6 +941,8 @@ TEXTS = {
         "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
     "What is plugged into {:s} stays behind":
         "连接到 {:s} 的内容不会导出",
+    "What is seen through arrives opaque there.":
+        "透明材质在该格式中会变为不透明。",
     "What the layer is of: a formula such as SiO2, a preset, a dataset, a file, or an index such as 1.38 or 2.5+0.1i. Type to search":
         "膜层的材料：化学式如 SiO2、预设、数据集、文件，或折射率如 1.38 或 2.5+0.1i。输入即可搜索",
     "What the layers are in: air, or something clear such as water":

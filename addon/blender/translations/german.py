@@ -36,6 +36,8 @@ TEXTS = {
         "oder keine Oberfläche.",
     "A material is a preset's name or a dataset's id, not {value!r}.":
         "Ein Material ist der Name einer Voreinstellung oder die Kennung eines Datensatzes, nicht {value!r}.",
+    "A metal's color towards the edge is lost there.":
+        "Die Farbe eines Metalls zum Rand hin geht dort verloren.",
     "A perfect reflector is neutral in any light, as for an eye that is used to it":
         "Ein vollkommener Reflektor ist in jedem Licht neutral, wie für ein daran gewöhntes Auge",
     "A preset and {name} both say what the material is made of: give one of them.":
@@ -65,6 +67,8 @@ TEXTS = {
         "Eine Prüfung läuft",
     "Absorption":
         "Absorption",
+    "Absorption over the depth is lost there: the color is that of the mean depth.":
+        "Absorption über die Tiefe geht dort verloren: die Farbe ist die der mittleren Tiefe.",
     "Active Slot":
         "Aktiver Slot",
     "Adapt White":
@@ -93,6 +97,8 @@ TEXTS = {
         "Ein gleichmäßiges, feines Korn, für Rauheit, Normale und diffuse Farbe",
     "Anisotropy":
         "Anisotropie",
+    "Anisotropy is lost there.":
+        "Anisotropie geht dort verloren.",
     "Another Version":
         "Andere Version",
     "Apply":
@@ -273,6 +279,8 @@ TEXTS = {
         "Dispersion",
     "Dispersion Curve":
         "Dispersionskurve",
+    "Dispersion is lost there.":
+        "Dispersion geht dort verloren.",
     "Dispersive":
         "Mit Dispersion",
     "Distribution":
@@ -371,6 +379,8 @@ TEXTS = {
         "Passt ein Modell an eine gemessene BRDF an, setzt es in den Materialslot und speichert es als eigene Voreinstellung: .bsdf von RGL-EPFL, .binary von MERL oder Punkte als Text. Dauert einige Sekunden; Esc bricht ab",
     "Fitting {:s}: {:d} %   (Esc stops)":
         "{:s} wird angepasst: {:d} %   (Esc bricht ab)",
+    "For exporters, not rendered":
+        "Für Exporter, nicht gerendert",
     "Form":
         "Form",
     "Free over the angle, for colours that change with it; with two slopes at most":
@@ -423,6 +433,8 @@ TEXTS = {
         "An Ort und Stelle",
     "Inside, unchanged":
         "Innerhalb, unverändert",
+    "Interference in the clear film is lost there.":
+        "Interferenz im klaren Film geht dort verloren.",
     "Into a slot of its own; in Edit Mode for the selected faces":
         "In einen eigenen Slot; im Bearbeitungsmodus für die gewählten Flächen",
     "Into every material slot of every selected object":
@@ -790,6 +802,8 @@ TEXTS = {
         "Den Ordner von {file!r} gibt es nicht; erst anlegen, oder einen anderen nennen.",
     "The greatest thickness in nanometres":
         "Die größte Dicke in Nanometern",
+    "The index of refraction is lost there: 1.5 is taken.":
+        "Die Brechzahl geht dort verloren: es gilt 1,5.",
     "The index {text} needs n above 0 and k of at least 0 from 360 to 780 nm.":
         "Die Brechzahl {text} braucht von 360 bis 780 nm n über 0 und k von mindestens 0.",
     "The library is in your preferences already":
@@ -947,6 +961,8 @@ TEXTS = {
         "nennen, etwa Luft oder Wasser.",
     "What is plugged into {:s} stays behind":
         "Was an {:s} angeschlossen ist, bleibt zurück",
+    "What is seen through arrives opaque there.":
+        "Durchsichtiges kommt dort undurchsichtig an.",
     "What the layer is of: a formula such as SiO2, a preset, a dataset, a file, or an index such as 1.38 or 2.5+0.1i. Type to search":
         "Woraus die Schicht ist: eine Formel wie SiO2, eine Voreinstellung, ein Datensatz, eine Datei oder "
         "eine Brechzahl wie 1.38 oder 2.5+0.1i. Zum Suchen tippen",

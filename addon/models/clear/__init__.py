@@ -46,7 +46,7 @@ MODEL = Model(
         Group("clear_fast", "Clear Standard", 5, "fast.build",
               "Glass, liquids and gems of one index of refraction, coloured by the way through them",
               stand_in="clear_eevee"),
-        Group("clear_dispersive", "Clear Dispersive", 5, "dispersive.build",
+        Group("clear_dispersive", "Clear Dispersive", 6, "dispersive.build",
               "Glass and gems with the colours of the rainbow, each refracted by its own index",
               stand_in="clear_eevee"),
         Group("clear_eevee", "Clear EEVEE", 3, "fast.build_eevee", "What EEVEE shows of clear materials",

@@ -5,7 +5,9 @@ Width 0 a native lobe carries what lies under the formula whatever V·H: the
 least of seven looks around its mean, by channel.
 """
 
-from ...operands import clip, less, maximum, minimum, rotate, sqrt, where, widen, x_of, y_of, z_of
+from types import SimpleNamespace
+
+from ...operands import clip, less, maximum, minimum, part, rotate, sqrt, where, widen, x_of, y_of, z_of
 from ...reflectance.directions import PI
 from ...reflectance.film_facets import mean_v_h, spread_v_h
 from ...reflectance.sampling import narrow_slope, wide_slope
@@ -20,7 +22,8 @@ from ..cook_torrance.sampler import (
     sharpened_v_cavity,
     stretched,
 )
-from .surface import Surface
+from .lookup import look
+from .surface import Surface, glossy
 
 __all__ = ["build", "looks"]
 
@@ -38,27 +41,33 @@ LEAST_COLOUR = 1e-3
 def build(builder):
     """Build the group."""
     surface = Surface(builder, "exact")
+    s = surface.sockets
     with builder.frame("Width > 0"):
-        has_width = less(0.0, surface.sockets.width)
-        has_native = has_width * (1.0 - less(0.0, surface.sockets.anisotropy))
-    first = _lobes(surface, surface.m, has_native)
-    with builder.frame("Slope 2"):
-        second = _lobes(surface, surface.second, has_native)
-    builder.output("BSDF", surface.closures(surface.mixed(first, second), reflected=surface.look(surface.n_v)))
+        has_native = less(0.0, s.width) * (1.0 - less(0.0, s.anisotropy))
+    facets = SimpleNamespace(n=surface.n, v=surface.v, n_v=surface.n_v, tangent=surface.tangent, width=s.width,
+                             anisotropy=s.anisotropy, rotation=s.rotation, tint=s.tint, has_native=has_native)
+    first, second = (_lobes(builder, facets, m, surface.table) for m in (surface.m, surface.second))
+    builder.output("BSDF", surface.closures(surface.mixed(first, second), surface.look(surface.n_v)))
 
 
-def _lobes(surface, m, has_native):
+@part("Lobes of the Facets")
+def _lobes(builder, facets, m, table):
     """The lobe about a drawn facet, and the native one under it."""
-    builder = surface.builder
-    share, lean = native_lobe(surface.n_v, m)
-    middle, floor = looks(surface.n_v, m, surface.look)
+    share, lean = native_lobe(facets.n_v, m)
+    middle, floor = _looks(builder, facets.n_v, m, table)
     with builder.frame("Native lobe"):
-        native = floor * widen(has_native * HEADROOM * share)
-        under = surface.glossy(native, surface.n + widen(lean) * surface.v, sqrt(native_slope(m)))
+        native = floor * widen(facets.has_native * HEADROOM * share)
+        under = glossy(builder, facets.tint * native, facets.n + widen(lean) * facets.v, sqrt(native_slope(m)))
     with builder.frame("Roulette"):
-        probability = where(has_native, _kept(middle, share, floor), 1.0)
+        probability = where(facets.has_native, _kept(middle, share, floor), 1.0)
         shown = less(builder.random(ROULETTE), probability)
-    return builder.scale_shader(shown, _drawn(surface, m, has_native, native, lean, probability)), under
+    drawn = _drawn(builder, facets, m, native, lean, probability, table)
+    return builder.add_shaders(builder.scale_shader(shown, drawn), under)
+
+
+@part("Looks at the Film", "Middle", "Least")
+def _looks(builder, n_v, m, table):
+    return looks(n_v, m, lambda c: look(builder, c, table))
 
 
 def looks(n_v, m, look):
@@ -72,9 +81,10 @@ def looks(n_v, m, look):
     """
     mean, spread = mean_v_h(n_v, m), spread_v_h(n_v, m)
     middle = look(mean)
-    return middle, minimum(middle, *(look(clip(mean + part * spread, 0.0, 1.0)) for part in APART))
+    return middle, minimum(middle, *(look(clip(mean + apart * spread, 0.0, 1.0)) for apart in APART))
 
 
+@part("Kept")
 def _kept(middle, share, floor):
     """Probability of drawing a facet at all: more than the brightest channel's share that the native lobe leaves."""
     left = _brightest(middle - floor * widen(share))
@@ -85,21 +95,26 @@ def _brightest(colour):
     return maximum(x_of(colour), y_of(colour), z_of(colour))
 
 
-def _drawn(surface, m, has_native, native, lean, probability):
+@part("Lobe about the Film's Facet")
+def _drawn(builder, facets, m, native, lean, probability, table):
     """The Glossy BSDF about a drawn facet, with what the native lobe leaves of f."""
-    builder, s = surface.builder, surface.sockets
-    with builder.frame("Draw"):
-        tilt, azimuth, side = builder.three_randoms(FACET)
-        longest, _ = along_across(m, s.anisotropy)
-        shorter = m / longest  # lobes are never wider than on a round surface
-        narrow, wide = narrow_slope(longest, s.width) * shorter, wide_slope(longest, s.width) * shorter
-        turned = rotate(surface.tangent, surface.n, (2.0 * PI) * s.rotation)
-    ellipse = stretched(surface.n, turned, m, s.anisotropy)
-    x = facet(surface.n, surface.v, m, narrow, wide, FLANKS * has_native, 0.0, tilt, azimuth, side, ellipse)
-    whole = surface.look(x.v_h) * widen(sharpened_v_cavity(x))
+    tilt, azimuth, side = builder.three_randoms(FACET)
+    narrow, wide, turned = _drawn_about(facets, m)
+    ellipse = stretched(facets.n, turned, m, facets.anisotropy)
+    x = facet(facets.n, facets.v, m, narrow, wide, FLANKS * facets.has_native, 0.0, tilt, azimuth, side, ellipse)
+    whole = look(builder, x.v_h, table) * widen(sharpened_v_cavity(x))
     with builder.frame("f cos/p"):
         left = maximum(whole - native * widen(native_over_d(x, m, lean)), 0.0)
         colour = left * widen(x.density / probability)
         squeezed = sqrt(x.narrow / x.broad)
-        return surface.glossy(colour, x.h, sqrt(x.narrow / squeezed), Anisotropy=1.0 - squeezed,
-                              Tangent=x.lobe_tangent)
+        return glossy(builder, facets.tint * colour, x.h, sqrt(x.narrow / squeezed), Anisotropy=1.0 - squeezed,
+                      Tangent=x.lobe_tangent)
+
+
+@part("Slopes of the Facet's Lobe", "narrow", "wide", "turned")
+def _drawn_about(facets, m):
+    """Slopes of the lobes about drawn facets, and the tangent that they are stretched along."""
+    longest, _ = along_across(m, facets.anisotropy)
+    shorter = m / longest  # lobes are never wider than on a round surface
+    return (narrow_slope(longest, facets.width) * shorter, wide_slope(longest, facets.width) * shorter,
+            rotate(facets.tangent, facets.n, (2.0 * PI) * facets.rotation))

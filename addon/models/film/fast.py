@@ -4,9 +4,12 @@ The table is looked up a spread of V·H above and below its mean over the facets
 that V sees: see addon.reflectance.film_facets.
 """
 
-from ...operands import sqrt
-from ...reflectance.film_facets import seen_along, tilted_lobes, two_looks
-from .surface import Surface
+from types import SimpleNamespace
+
+from ...operands import dot, minimum, part, sqrt
+from ...reflectance.film_facets import lobes_of, seen_along, two_looks
+from .lookup import is_blended, look
+from .surface import Surface, lobe
 
 __all__ = ["build", "build_eevee"]
 
@@ -14,26 +17,47 @@ __all__ = ["build", "build_eevee"]
 def build(builder):
     """Build the group."""
     surface = Surface(builder, "fast")
-    m, first = _lobes(surface, surface.m, surface.sockets.roughness)
-    with builder.frame("Slope 2"):
-        _, second = _lobes(surface, surface.second, sqrt(surface.second))
-    reflected = two_looks(surface.n_v, m, surface.look).mean
-    builder.output("BSDF", surface.closures(surface.mixed(first, second), reflected=reflected))
-
-
-def _lobes(surface, m, roughness):
-    """(slope towards V, a lobe for each channel) of a slope."""
     s = surface.sockets
-    seen, towards = seen_along(surface.n, surface.v, m, surface.tangent, s.rotation, s.anisotropy)
-    lobes = tilted_lobes(surface.n, surface.v, seen, surface.look, towards)
-    return seen, [surface.lobe(colour, normal, roughness) for colour, normal in lobes]
+    stretching = SimpleNamespace(anisotropy=s.anisotropy, rotation=s.rotation, tangent=surface.tangent)
+    lobes, reflected = zip(*(
+        _lobes(builder, surface.n, surface.v, m, roughness, s.tint, stretching, surface.table)
+        for m, roughness in ((surface.m, s.roughness), (surface.second, sqrt(surface.second)))))
+    builder.output("BSDF", surface.closures(surface.mixed(*lobes), reflected[0]))
+
+
+@part("Tilted Lobes", "BSDF", "Reflected")
+def _lobes(builder, n, v, m, roughness, tint, stretching, table):
+    """A lobe for each channel of a slope m, their sum; and the colour that all of them have."""
+    n_v = minimum(dot(n, v), 1.0)
+    m_v, towards = seen_along(n, v, m, stretching.tangent, stretching.rotation, stretching.anisotropy)
+    film = _two_looks(builder, n_v, m_v, table)
+    lobes = [lobe(builder, tint * colour, normal, roughness, stretching)
+             for colour, normal in lobes_of(n, n_v, m_v, film, towards)]
+    return builder.add_shaders(*lobes), film.mean
+
+
+def _two_looks(builder, n_v, m, table):
+    named = part("Two Looks, Blended" if is_blended(table) else "Two Looks")
+    return named(_looks)(builder, n_v, m, table)
+
+
+def _looks(builder, n_v, m, table):
+    return two_looks(n_v, m, lambda c: look(builder, c, table))
 
 
 def build_eevee(builder):
     """Build the group for EEVEE, which draws a lobe at random of several: one lobe, of their mean colour."""
     surface = Surface(builder, "fast", closest=True)
-    with builder.frame("Rms slope"):
-        ratio = sqrt(surface.mean_square())
-        m, roughness = surface.m * ratio, surface.sockets.roughness * sqrt(ratio)
-    colour = two_looks(surface.n_v, m, surface.look).mean
-    builder.output("BSDF", surface.closures(surface.lobe(colour, surface.n, roughness), reflected=colour))
+    s = surface.sockets
+    m, roughness = _of_both(surface.m, s.roughness, s.ratio2, s.w2)
+    colour = _two_looks(builder, surface.n_v, m, surface.table).mean
+    stretching = SimpleNamespace(anisotropy=s.anisotropy, rotation=s.rotation, tangent=surface.tangent)
+    one = lobe(builder, s.tint * colour, surface.n, roughness, stretching)
+    builder.output("BSDF", surface.closures(one, colour))
+
+
+@part("Slope of Both", "m", "Roughness")
+def _of_both(m, roughness, ratio, weight):
+    """The slope whose square is the mean of both slopes' squares, and the roughness of that."""
+    wider = sqrt(1.0 + weight * (ratio * ratio - 1.0))
+    return m * wider, roughness * sqrt(wider)

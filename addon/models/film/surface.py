@@ -1,135 +1,103 @@
-"""What every group of films by nodes shares: the surface, and the look-up in the table's image."""
+"""What every group of films by nodes shares: the surface, the table that it looks colours up in, and its closures."""
 
-from ...operands import clip, dot, less, maximum, minimum, sqrt, vector, where, widen
+from types import SimpleNamespace
+
+from ...operands import clip, dot, less, minimum, part, sqrt, where
 from ...reflectance.directions import facing
 from ..parameters import add_inputs
 from .formulas import second_slope, slope
+from .lookup import absorbed, body_below, look, place_in_table
 from .parameters import TABLE
 
-__all__ = ["Surface"]
+__all__ = ["Surface", "glossy", "lobe"]
 
 
 class Surface:
-    """A film under its sockets' settings: sockets, n and v, N·V, the rms slopes, the tangent before it is turned.
+    """A film under its sockets' settings, by name: sockets, n and v, N·V, the rms slopes, the tangent before it is
+    turned, the table of its colours.
 
     realisation  whose sockets it has
-    closest      whether each look blends four pixels itself, for renderers that blur images where the place
-                 that is looked up changes from pixel to pixel, as EEVEE does
+    closest      whether each look blends four pixels itself, as :func:`addon.models.film.lookup.look` has it; then
+                 light goes straight through a body below, too
     """
 
     def __init__(self, builder, realisation, closest=False):
         self.builder = builder
-        self.sockets = add_inputs(builder, TABLE, realisation)
-        self.v = builder.incoming()
-        self.n = facing(builder.normal(self.sockets.normal), self.v)
-        self.n_v = minimum(dot(self.n, self.v), 1.0)
-        with builder.frame("Rms slope"):
-            self.m = slope(self.sockets.roughness)
-            self.second = second_slope(self.m, self.sockets.ratio2)
-        with builder.frame("Frame"):
-            # The nodes of a tangent that nothing turns on fold away.
-            self.tangent = where(less(0.0, self.sockets.anisotropy), builder.tangent(self.sockets.tangent),
-                                 (1.0, 0.0, 0.0))
-        self._closest = closest
-        with builder.frame("Column"):
-            s = self.sockets
-            self._column = (s.d - s.first) * ((s.columns - 1.0) / (s.last - s.first))
-        with builder.frame("Body below"):
-            straight = maximum(*(builder.node("ShaderNodeLightPath", output=f"Is {kind} Ray")
-                                 for kind in ("Shadow", "Diffuse")))
-            self._refracts = 0.0 if closest else less(1.0, s.ior_below) * (1.0 - straight)
-            back = builder.node("ShaderNodeNewGeometry", output="Backfacing")
-            self._inside = where(self._refracts * back, s.ior_below, 1.0)
-
-    def mean_square(self):
-        """The mean of both slopes' squares over that of the first."""
-        ratio, weight = self.sockets.ratio2, self.sockets.w2
-        return 1.0 + weight * (ratio * ratio - 1.0)
+        s = self.sockets = add_inputs(builder, TABLE, realisation)
+        self.n, self.v, self.n_v, self.tangent = _seen(builder, s.normal, s.tangent, s.anisotropy)
+        self.m, self.second = _slopes(s.roughness, s.ratio2)
+        place = place_in_table(builder, s.d, s.first, s.last, s.columns, s.rows, s.height)
+        self._below = None if closest else body_below(builder, s.ior_below)
+        more = {"columns": s.columns, "height": s.height} if closest else {
+            "is_below": self._below.is_below, "index2": self._below.index2}
+        self.table = SimpleNamespace(**vars(place), **more)
 
     def mixed(self, first, second):
         """The lobes of both slopes by their shares; where there is one, Cycles folds the other away."""
         builder, weight = self.builder, self.sockets.w2
-        return builder.add_shaders(builder.scale_shader(1.0 - weight, builder.add_shaders(*first)),
-                                   builder.scale_shader(weight, builder.add_shaders(*second)))
+        return builder.add_shaders(builder.scale_shader(1.0 - weight, first), builder.scale_shader(weight, second))
 
     def look(self, c):
-        """Colour of the film at cos θ; from within a body that refracts at the angle outside, or all of the light."""
-        squared = self._squared_outside(c)
-        return where(less(squared, 0.0), (1.0, 1.0, 1.0), self._look(self._row(squared)))
+        """Colour of the film at cos θ."""
+        return look(self.builder, c, self.table)
 
-    def absorbed(self, c):
-        """The share that it absorbs."""
-        squared = self._squared_outside(c)
-        return where(less(squared, 0.0), (0.0, 0.0, 0.0), self._look(self._row(squared) + self.sockets.rows))
-
-    def _squared_outside(self, c):
-        """cos² of the angle outside, by Snell's law; below 0 where the body reflects all."""
-        return 1.0 - (1.0 - clip(c, 0.0, 1.0) * clip(c, 0.0, 1.0)) * (self._inside * self._inside)
-
-    def _row(self, squared):
-        return sqrt(sqrt(clip(squared, 0.0, 1.0))) * (self.sockets.rows - 1.0)
-
-    def closures(self, *lobes, reflected):
+    def closures(self, lobes, reflected):
         """The sum of the film's lobes, what passes on where it is seen through, and the diffuse part.
 
         reflected  share that the lobes reflect, ``(..., 3)``
         """
         builder, s = self.builder, self.sockets
         with builder.frame("1 - R - A"):
-            passed = (1.0, 1.0, 1.0) - reflected - self.absorbed(self.n_v)
+            passed = (1.0, 1.0, 1.0) - reflected - absorbed(builder, self.n_v, self.table)
             clear = builder.scale_shader(s.see_through, self._passage(clip(passed, 0.0, 1.0)))
         with builder.frame("R = s Rs + d Rd"):
             share = (1.0 - s.specular) * (1.0 - s.see_through)
             diffuse = builder.node("ShaderNodeBsdfDiffuse", {"Color": s.tint * s.diffuse, "Normal": self.n})
-            film = builder.scale_shader(s.specular, builder.add_shaders(*lobes))
-            return builder.add_shaders(film, builder.scale_shader(share, diffuse), clear)
+            return builder.add_shaders(builder.scale_shader(s.specular, lobes), builder.scale_shader(share, diffuse),
+                                       clear)
 
     def _passage(self, colour):
         """What passes on: straight, or refracted by the body below."""
         straight = self.builder.node("ShaderNodeBsdfTransparent", {"Color": colour})
-        if self._closest:
+        if self._below is None:
             return straight
         refracted = self.builder.node("ShaderNodeBsdfRefraction", {
             "Color": colour, "IOR": self.sockets.ior_below, "Roughness": self.sockets.roughness, "Normal": self.n},
             distribution="BECKMANN")
-        return self.builder.node("ShaderNodeMixShader", {"Fac": self._refracts, "Shader": straight,
+        return self.builder.node("ShaderNodeMixShader", {"Fac": self._below.refracts, "Shader": straight,
                                                          "Shader_001": refracted})
 
-    def lobe(self, colour, normal, roughness):
-        """A dyed Beckmann lobe, stretched along the tangent."""
-        s = self.sockets
-        with self.builder.frame("mt, mb"):
-            narrower = sqrt(1.0 - 0.9 * s.anisotropy) - 1.0
-        return self.glossy(colour, normal, roughness, Anisotropy=narrower, Rotation=s.rotation, Tangent=self.tangent)
 
-    def glossy(self, colour, normal, roughness, **inputs):
-        """A dyed Beckmann lobe."""
-        return self.builder.node("ShaderNodeBsdfAnisotropic", {
-            "Color": self.sockets.tint * colour, "Normal": normal, "Roughness": roughness, **inputs},
-            distribution="BECKMANN")
+@part("Surface", "N", "V", "N·V", "Tangent")
+def _seen(builder, normal, tangent, anisotropy):
+    """(N, V, N·V, the tangent before it is turned)."""
+    v = builder.incoming()
+    n = facing(builder.normal(normal), v)
+    with builder.frame("Frame"):
+        # The nodes of a tangent that nothing turns on fold away.
+        along = where(less(0.0, anisotropy), builder.tangent(tangent), (1.0, 0.0, 0.0))
+    return n, v, minimum(dot(n, v), 1.0), along
 
-    def _look(self, row):
-        """What the image holds at a row and the thickness's column, squared."""
-        with self.builder.frame("Table"):
-            root = self._blended(row) if self._closest else self._pixel(self._column, row, "Linear")
-            return root * root
 
-    def _blended(self, row):
-        """Bilinear, of the four pixels around."""
-        s = self.sockets
-        column = clip(self._column, 0.0, s.columns - 1.0)
-        i, j = self._floor(row), self._floor(column)
-        u, v = widen(row - i), widen(column - j)
-        a, b, c, d = (self._pixel(j + dj, i + di, "Closest") for di in (0.0, 1.0) for dj in (0.0, 1.0))
-        lower, upper = a + v * (b - a), c + v * (d - c)
-        return lower + u * (upper - lower)
+@part("Slopes", "m1", "m2")
+def _slopes(roughness, ratio):
+    m = slope(roughness)
+    return m, second_slope(m, ratio)
 
-    def _floor(self, x):
-        return self.builder.node("ShaderNodeMath", {"Value": x}, operation="FLOOR")
 
-    def _pixel(self, column, row, interpolation):
-        """The image's colour at a column and row, whose middles are whole numbers."""
-        s = self.sockets
-        at = vector((column + 0.5) / s.columns, (row + 0.5) / s.height, 0.0)
-        return self.builder.node("ShaderNodeTexImage", {"Vector": at}, "Color", interpolation=interpolation,
-                                 extension="EXTEND")
+def lobe(builder, dyed, normal, roughness, stretching):
+    """A Beckmann lobe, stretched along the tangent.
+
+    dyed        its colour times the tint
+    stretching  anisotropy, rotation and tangent by name
+    """
+    with builder.frame("mt, mb"):
+        narrower = sqrt(1.0 - 0.9 * stretching.anisotropy) - 1.0
+    return glossy(builder, dyed, normal, roughness, Anisotropy=narrower, Rotation=stretching.rotation,
+                  Tangent=stretching.tangent)
+
+
+def glossy(builder, dyed, normal, roughness, **inputs):
+    """A Beckmann lobe of its colour times the tint."""
+    return builder.node("ShaderNodeBsdfAnisotropic", {"Color": dyed, "Normal": normal, "Roughness": roughness,
+                                                      **inputs}, distribution="BECKMANN")

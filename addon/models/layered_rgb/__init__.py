@@ -15,7 +15,12 @@ def _evaluate(parameters, n, v, l):
 
 def _bake(resolved, viewing, realisation, renderer):
     from .baking import bake_for
-    return bake_for(resolved)
+    return bake_for(resolved, renderer.space)
+
+
+def _respaced(parameters, changed, before, after):
+    from .spacing import respaced
+    return respaced(parameters, changed, before, after)
 
 
 def _look(parameters, place=None):
@@ -66,6 +71,8 @@ MODEL = Model(
     },
     evaluate=_evaluate,
     bake=_bake,
+    baked_names=("ior", "wavelengths"),
+    respaced=_respaced,
     look=_look,
     feeds=_feeds,
     read_feed=_read_feed,

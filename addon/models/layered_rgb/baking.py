@@ -5,7 +5,8 @@ import numpy as np
 from ..model import Baked, Feed, Look
 from ..parameters import read, written
 from .formulas import rho_d_eq16
-from .parameters import THICKNESS_GROUP
+from .parameters import THICKNESS_GROUP, LayeredRGB
+from .spacing import bake_in
 
 __all__ = ["bake_for", "feeds", "look", "read_feed"]
 
@@ -13,11 +14,12 @@ SPECULAR_SEEN = 0.6
 """Share of the specular weight that a small picture shows."""
 
 
-def bake_for(resolved):
-    """The Baked of a preset: its own parameters, and what is to be said about it."""
+def bake_for(resolved, space):
+    """The Baked of a preset: its own parameters, as they are in a scene-linear space, and what is said about it."""
     preset = resolved.preset
+    parameters, apart = bake_in(space, dict(preset.parameters), LayeredRGB())
     facts = {"name": preset.name, "title": preset.title, "kind": preset.kind, "note": preset.note}
-    return Baked(dict(preset.parameters), facts)
+    return Baked(parameters, facts if space == "Rec.709" else {**facts, "delta_e_2000_of_space": apart})
 
 
 def look(parameters, place=None):
