@@ -2,9 +2,9 @@
 
 s * sum_j w_j Metallic(roughness sqrt(m_j)) + d * Diffuse is the 1982 model with
 Smith's G in place of the V-cavity G, since the Beckmann closure of roughness
-sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.  Roughness and
-weight of each closure follow N.V so that it comes next to the V-cavity's:
-see addon.models.cook_torrance.v_cavity_lobe.
+sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.  Roughness,
+weight and anisotropy of each closure follow N.V so that it comes next to the
+V-cavity's: see addon.models.cook_torrance.v_cavity_lobe.
 
 Blender 4.5's conductor Fresnel is far off where k is 0.  For dielectrics there
 the group F82 has the same sockets; F0 and F82 tint are worked out from n and k,
@@ -53,7 +53,7 @@ def _build(builder, fresnel_of):
         tangent = where(less(0.0, sockets.anisotropy), builder.tangent(sockets.tangent), (1.0, 0.0, 0.0))
     seen = seen_from(normal, builder.incoming(), tangent, sockets.rotation)
     surface = {**fresnel, "Normal": normal, "Tangent": tangent, "Anisotropy": sockets.anisotropy,
-               "Rotation": sockets.rotation}
+               "Rotation": where(less(0.0, sockets.anisotropy), sockets.rotation, 0.0)}
     slope = part(f"Slope{OF_KIND[fresnel_type]}")(_slope)
     lobes = [slope(builder, m, sockets.specular, w, sockets.gaussian, sockets.published, sockets.gaussian_c, seen,
                    surface, fresnel_type) for m, w in slope_operands(sockets)]
@@ -72,7 +72,12 @@ def _slope(builder, m, specular, w, gaussian, published, gaussian_c, seen, surfa
     surface  {socket: operand} of the Metallic BSDFs
     """
     anisotropy = surface["Anisotropy"]
-    roughness, weight = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy), sqrt(m))
+    roughness, weight, leaning = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy), sqrt(m))
+    with builder.frame("Anisotropy"):
+        # Across the plane of N and V where the surface has none of its own.
+        is_elliptic = less(0.0, anisotropy)
+        surface = {**surface, "Anisotropy": where(is_elliptic, anisotropy, leaning),
+                   "Tangent": where(is_elliptic, surface["Tangent"], seen.beside)}
     with builder.frame("Half the share"):
         share = (0.5 * (specular * w)) * weight
         printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
