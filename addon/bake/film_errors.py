@@ -3,7 +3,9 @@
 The sphere is seen from far away and lit by a sun of 5° at 30° or 75° from the
 viewer; pixels count where the lobe, if it were white, has more than 2 % of its
 peak.  D is Beckmann's and G Smith's everywhere: only F differs, as a
-realisation draws it.
+realisation draws it: Standard by tilted lobes and, where there is a
+FilmTrack, by Blender's native film at V·H from the slope on at which that is
+closer.
 """
 
 import functools
@@ -12,19 +14,22 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import number
-from ..reflectance.film_facets import tilted_lobes
+from ..reflectance.film_facets import native_share, tilted_lobes
 from ..reflectance.masking import smith_beckmann
 from ..reflectance.sampling import narrow_slope, wide_slope
 from ..reflectance.slopes import beckmann
 from .colour import delta_e_2000, lab
+from .film_track import native_colours
 
-__all__ = ["RealisationErrors", "standard_errors", "reference_errors", "realisation_errors", "worst_of"]
+__all__ = ["RealisationErrors", "native_errors", "reference_errors", "realisation_errors", "standard_errors",
+           "tilted_means", "worst_of"]
 
 SUNS = (30.0, 75.0)
 SUN_DIAMETER = 5.0
 FURNACE_DEGREES = np.arange(0.0, 85.0, 12.0)
 SPHERE, SUN_RAYS, FACETS = 48, 19, 48
 """Pixels across the sphere, directions of a sun, and roots of the number of half vectors of the furnace."""
+COARSE_SPHERE, COARSE_RAYS = 14, 5
 GRID = np.linspace(0.0, 1.0, 129)
 """√cos θ of an exact curve."""
 FINE = np.linspace(0.0, 1.0, 505)
@@ -52,15 +57,25 @@ class RealisationErrors(NamedTuple):
     furnace_max: float
 
 
-def standard_errors(table, m, thickness_nm):
-    """The :class:`RealisationErrors` of Standard, three tilted lobes of the table's colours.
+def standard_errors(table, m, thickness_nm, track=None):
+    """The :class:`RealisationErrors` of Standard, three tilted lobes of the table's colours, or the native film.
 
     table         a FilmTable
     m             rms slope, above 0 and at most 1
     thickness_nm  within the table's range
+    track         a FilmTrack of the table, where the renderer has a native film
     """
     m = number("slope m", m, high=1.0, above=0.0)
-    return _standard(table, m, thickness_nm, _exact(table, thickness_nm))
+    return _standard(table, m, thickness_nm, _exact(table, thickness_nm), track)
+
+
+def native_errors(table, m, thickness_nm, track):
+    """The :class:`RealisationErrors` of the native film of a track alone, whether Standard has it at the slope or not.
+
+    Arguments as :func:`standard_errors`.
+    """
+    m = number("slope m", m, high=1.0, above=0.0)
+    return _native(table, m, thickness_nm, _exact(table, thickness_nm), track)
 
 
 def reference_errors(table, m, thickness_nm, width=SAMPLING_WIDTH):
@@ -77,17 +92,45 @@ def reference_errors(table, m, thickness_nm, width=SAMPLING_WIDTH):
     return _reference(table, m, thickness_nm, _exact(table, thickness_nm), width)
 
 
-def realisation_errors(table, m, count=5):
-    """{"standard": RealisationErrors, "reference": RealisationErrors} at a slope: the worst over even thicknesses.
+def realisation_errors(table, m, count=5, track=None):
+    """{realisation: RealisationErrors} at a slope: the worst over even thicknesses.
 
     count  thicknesses from end to end of the table's range; one where nothing varies
+    track  a FilmTrack of the table, where the renderer has a native film
+
+    "standard" and "reference"; with a track also what Standard takes, thickness by thickness, the closer of: "lobes"
+    and "native".
     """
     m = number("slope m", m, high=1.0, above=0.0)
     low, high = table.thickness_range_nm
     thicknesses = np.linspace(low, high, count) if high > low else [low]
     found = [(thickness, _between(curve)) for thickness, curve in zip(thicknesses, table.curves(thicknesses, GRID**2))]
-    return {"standard": worst_of(_standard(table, m, thickness, film) for thickness, film in found),
-            "reference": worst_of(_reference(table, m, thickness, film, SAMPLING_WIDTH) for thickness, film in found)}
+
+    def worst(errors, *more):
+        return worst_of(errors(table, m, thickness, film, *more) for thickness, film in found)
+    lobes, reference = worst(_standard, None), worst(_reference, SAMPLING_WIDTH)
+    if track is None:
+        return {"standard": lobes, "reference": reference}
+    return {"standard": worst(_standard, track), "reference": reference, "lobes": lobes,
+            "native": worst(_native, track)}
+
+
+def tilted_means(table, m, thicknesses_nm):
+    """Mean CIEDE2000 of the tilted lobes over the sphere, the worse sun's, at thicknesses ``(D,)``, ``(D,)``.
+
+    A coarse sphere: a quick estimate of what :func:`standard_errors` finds.
+    """
+    at = np.asarray(thicknesses_nm)[:, None]
+
+    def look(c):
+        return table.at(c, at)
+    n = _sphere_normals(COARSE_SPHERE)
+    tilted = tilted_lobes(n, VIEW, m, look)
+    means = []
+    for angle in SUNS:
+        shown, exact = _lit(n, look, m, angle, COARSE_RAYS, tilted)
+        means.append(_difference(shown, exact, table.viewing.space).mean(axis=-1))
+    return np.maximum(*means)
 
 
 def worst_of(errors):
@@ -95,10 +138,31 @@ def worst_of(errors):
     return RealisationErrors(*(float(x) for x in np.max(np.array(list(errors)), axis=0)))
 
 
-def _standard(table, m, thickness_nm, film):
+def _standard(table, m, thickness_nm, film, track):
+    share, native = 0.0, None
+    if track is not None:
+        share = float(native_share(m, track.from_slope_at(thickness_nm)))
+        native = _drawn_natively(table, thickness_nm, track)
+
     def lobes(n, v):
-        return tilted_lobes(n, v, m, lambda c: table.at(c, thickness_nm))
-    return _errors(film, m, table.viewing.space, lobes=lobes)
+        tilted = tilted_lobes(n, v, m, lambda c: table.at(c, thickness_nm))
+        return [((1.0 - share) * colour, normal) for colour, normal in tilted]
+    return _errors(film, m, table.viewing.space, lobes if share < 1.0 else None,
+                   native and (lambda n, h, v: share * native(n, h, v)))
+
+
+def _native(table, m, thickness_nm, film, track):
+    return _errors(film, m, table.viewing.space, blurred=_drawn_natively(table, thickness_nm, track))
+
+
+def _drawn_natively(table, thickness_nm, track):
+    """function of (n, h, v) -> the native film at V·H, ``(..., 3)``."""
+    fine = FINE[1:] ** 2
+    curve = native_colours(track.at(thickness_nm), fine, table.viewing.space)
+
+    def native(n, h, v):
+        return np.stack([np.interp(h @ v, fine, channel) for channel in curve.T], axis=-1)
+    return native
 
 
 def _reference(table, m, thickness_nm, film, width):
@@ -141,19 +205,24 @@ def _between(rgb):
 def _sphere(film, m, degrees, lobes, blurred):
     """(shown, exact) colours of the sphere's lit pixels, ``(P, 3)`` each, where white would be 1 at the peak."""
     n = _sphere_normals()
+    return _lit(n, film, m, degrees, SUN_RAYS, lobes and lobes(n, VIEW), blurred)
+
+
+def _lit(n, film, m, degrees, rays, tilted, blurred=None):
+    """(shown, exact) colours ``(..., P, 3)`` of those of the normals ``(N, 3)`` that the sun lights."""
     white, exact, shown = 0.0, 0.0, 0.0
-    tilted = lobes(n, VIEW) if lobes else None
-    for light in _sun(np.radians(degrees)):
+    for light in _sun(np.radians(degrees), rays):
         h = (light + VIEW) / np.linalg.norm(light + VIEW)
-        facets = _lobe(n, h, VIEW, light, m) * (n @ light > 0.0)
+        facing = n @ light > 0.0
+        facets = _lobe(n, h, VIEW, light, m) * facing
         white = white + facets
         exact = exact + facets[:, None] * film(h @ VIEW)
-        if lobes:
-            shown = shown + _tilted(tilted, h, VIEW, light, m) * (n @ light > 0.0)[:, None]
-        else:
+        if tilted:
+            shown = shown + _tilted(tilted, h, VIEW, light, m) * facing[:, None]
+        if blurred:
             shown = shown + facets[:, None] * blurred(n, h, VIEW)
     lit = white > SHOWN * white.max()
-    return shown[lit] / white.max(), exact[lit] / white.max()
+    return shown[..., lit, :] / white.max(), exact[..., lit, :] / white.max()
 
 
 def _furnace(film, m, lobes, blurred):
@@ -164,11 +233,12 @@ def _furnace(film, m, lobes, blurred):
         v = np.array([np.sin(angle), 0.0, np.cos(angle)])
         h = _facets(m, n)
         exact.append(np.sum(_carried(n, h, v, m, n)[:, None] * film(np.clip(h @ v, 0.0, 1.0)), axis=0) / len(h))
+        total = 0.0
         if lobes:
-            shown.append(sum(_carried(normal, _facets(m, normal), v, m, n).mean() * colour
-                             for colour, normal in lobes(n, v)))
-        else:
-            shown.append(np.sum(_carried(n, h, v, m, n)[:, None] * blurred(n, h, v), axis=0) / len(h))
+            total = sum(_carried(normal, _facets(m, normal), v, m, n).mean() * colour for colour, normal in lobes(n, v))
+        if blurred:
+            total = total + np.sum(_carried(n, h, v, m, n)[:, None] * blurred(n, h, v), axis=0) / len(h)
+        shown.append(total)
     return np.array(shown), np.array(exact)
 
 
@@ -179,7 +249,7 @@ def _lobe(n, h, v, light, m):
 
 
 def _tilted(lobes, h, v, light, m):
-    return sum(colour * _lobe(normal, h, v, light, m)[:, None] for colour, normal in lobes)
+    return sum(colour * _lobe(normal, h, v, light, m)[..., None] for colour, normal in lobes)
 
 
 def _carried(normal, h, v, m, true_normal):
@@ -212,7 +282,7 @@ def _any_tangent(n):
     return tangent / np.linalg.norm(tangent, axis=-1, keepdims=True)
 
 
-@functools.lru_cache(maxsize=1)
+@functools.lru_cache(maxsize=2)
 def _sphere_normals(count=SPHERE):
     """Normals of a sphere's pixels, ``(P, 3)``: one half of them, as the sun is in the plane of x and z."""
     x, y = np.meshgrid((np.arange(count) + 0.5) / count * 2.0 - 1.0, (np.arange(count // 2) + 0.5) / count * 2.0)
@@ -220,10 +290,10 @@ def _sphere_normals(count=SPHERE):
     return np.stack([x, y, z], axis=-1)[z > LEAST_N_V]
 
 
-def _sun(angle):
-    """Directions of a disc of 5° about the one at this angle from the viewer, ``(SUN_RAYS, 3)``."""
-    radius = np.radians(SUN_DIAMETER / 2.0) * np.sqrt((np.arange(SUN_RAYS) + 0.5) / SUN_RAYS)
-    turn = np.arange(SUN_RAYS) * 2.399963  # the golden angle: even on the disc
+def _sun(angle, rays=SUN_RAYS):
+    """Directions of a disc of 5° about the one at this angle from the viewer, ``(rays, 3)``."""
+    radius = np.radians(SUN_DIAMETER / 2.0) * np.sqrt((np.arange(rays) + 0.5) / rays)
+    turn = np.arange(rays) * 2.399963  # the golden angle: even on the disc
     across = np.array([[np.cos(angle), 0.0, -np.sin(angle)], [0.0, 1.0, 0.0]])
     light = np.array([np.sin(angle), 0.0, np.cos(angle)]) + (radius * [np.cos(turn), np.sin(turn)]).T @ across
     return light / np.linalg.norm(light, axis=-1, keepdims=True)

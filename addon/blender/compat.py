@@ -6,7 +6,7 @@ import bpy
 from mathutils import Color
 
 __all__ = ["conductor_formula", "converts_colours", "drags_from_shelves", "enable", "enable_nodes", "eevee_engine",
-           "is_enabled", "is_unused_newcomer", "renderer", "set_refraction", "working_space"]
+           "has_native_film", "is_enabled", "is_unused_newcomer", "renderer", "set_refraction", "working_space"]
 
 
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -25,6 +25,12 @@ def conductor_formula():
     finally:
         bpy.data.node_groups.remove(tree)
     return "exact" if exact else "blender-4.5"
+
+
+@functools.cache
+def has_native_film():
+    """Whether the Metallic BSDF of this Blender has a thin film of its own."""
+    return conductor_formula() == "exact"
 
 
 def working_space():

@@ -11,7 +11,7 @@ import math
 import bpy
 import numpy as np
 
-from . import parts
+from . import newcomers, parts
 from .layout import arrange
 from .operand import NodeOperand
 from .osl_compiler import compile_script, text_of
@@ -241,6 +241,21 @@ class GroupBuilder:
         """
         scaled = self.scale_shader(half, shader)
         return self.add_shaders(scaled, scaled)
+
+    def where_native(self, operand):
+        """A number in a Blender whose Metallic BSDF has a thin film of its own, 0 in others."""
+        node = self._new_node("ShaderNodeMath", {"operation": "ADD"}, "In this Blender")
+        node.inputs[0].default_value = node.inputs[1].default_value = 0.0
+        found = NodeOperand(self, "FLOAT", node.outputs[0])
+        self.feed_where_native(found, {node.inputs[0].identifier: operand})
+        return found
+
+    def feed_where_native(self, fed, inputs):
+        """Feed inputs of a node, {identifier: operand}, in a Blender whose Metallic BSDF has a thin film of its own."""
+        for identifier, operand in inputs.items():
+            source = self._socket(operand, fed.source.node)
+            self._products.pop(source.node.name, None)  # it stays, whatever it is linked to here
+            newcomers.defer(fed.source.node, identifier, source)
 
     @contextlib.contextmanager
     def frame(self, label):

@@ -6,7 +6,8 @@ V·H over them and its spread above and below.  The mean of the two looks is the
 lobe's colour.  Their difference is the slope over V·H, and to first order
 tilts the lobe: in the plane of slopes D is a Gaussian in which V·H is nearly
 linear along V, so D·exp(g V·H) is D moved by g sin θ m²/2 towards V.  Each
-channel has its own g: three lobes, one a channel.
+channel has its own g: three lobes, one a channel.  From a slope on that depends on the film
+a renderer's own film, where it has one, is closer: see addon.bake.film_track.
 
 Unit vectors ``(..., 3)``, numbers ``(...)``; m is the rms slope of Beckmann's
 distribution.
@@ -35,13 +36,15 @@ from ..operands import (
 from .directions import PI, frame_along
 from .slopes import along_across
 
-__all__ = ["mean_v_h", "spread_v_h", "two_looks", "tilts", "seen_along", "tilted_lobes", "lobes_of",
+__all__ = ["mean_v_h", "spread_v_h", "two_looks", "tilts", "seen_along", "tilted_lobes", "lobes_of", "native_share",
            "ROUGHEST_FITTED"]
 
 ROUGHEST_FITTED = 0.6
 """Above this slope mean and spread are those of this slope."""
 FADE, CAP, BEND = 2.0, 0.6, 0.2
 """Below N·V = FADE m the tilt fades, it moves slopes by no more than CAP m, and grows by a cube."""
+SWITCHED = 5.0
+"""How fast the native film takes over, for twice the slope."""
 LEAST_SPREAD, LEAST_COLOUR, LEAST_SINE, LEAST_SINE2 = 1e-4, 1e-3, 1e-3, 1e-6
 """Keep denominators away from 0: of an m of nearly 0, of black, and of a view along the normal."""
 
@@ -125,6 +128,19 @@ def tilts(n_v, m, mean, half, reach):
     strength = 0.5 * m * minimum(m, n_v / FADE) / reach
     most = widen(CAP * m / maximum(sqrt(1.0 - n_v * n_v), LEAST_SINE))
     return clip((x + BEND * (x * x * x)) * widen(strength), -1.0 * most, most)
+
+
+@part("Native Film's Share")
+def native_share(m, from_slope):
+    """The native film's share of the lobe, [0, 1]: none below a slope, all above it, and a short way between.
+
+    m           rms slope, ``(...)``
+    from_slope  slope from which the native film is closer than the tilted lobes, above 0
+
+    >>> [round(native_share(m, 0.2), 2) for m in (0.1, 0.19, 0.2, 0.21, 0.5)]
+    [0.0, 0.25, 0.5, 0.75, 1.0]
+    """
+    return clip(SWITCHED * (m / from_slope) + (0.5 - SWITCHED), 0.0, 1.0)
 
 
 @part("Slope towards the Viewer", "m(V)", "along")

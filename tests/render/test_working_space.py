@@ -221,15 +221,41 @@ def under(configuration):
     return json.loads(next(line for line in run.stdout.splitlines() if line.startswith("FOUND"))[6:])
 
 
-@pytest.mark.parametrize("linear, name", [(P3, "primaries 0.68"), (AP1, "ACEScg")], ids=["P3", "ACEScg"])
-def test_a_configuration_of_ones_own(linear, name, tmp_path):
-    """Would catch names in place of the measured matrix, and "Non-Color", which this configuration calls otherwise."""
+@pytest.fixture(scope="module")
+def opencolorio():
+    """The module that comes with Blender."""
     folder = f"{bpy.utils.resource_path('LOCAL')}/python/lib/python{sys.version_info.major}.{sys.version_info.minor}"
     sys.path.append(f"{folder}/site-packages")
     import PyOpenColorIO
     sys.path.pop()
+    return PyOpenColorIO
+
+
+def verified(configuration, folder):
+    """What `python -m addon verify` says of the data under a configuration."""
+    return subprocess.run([sys.executable, "-m", "addon", "verify", "--only", "data"], cwd=folder, capture_output=True,
+                          text=True, env={**os.environ, "OCIO": str(configuration), "PYTHONPATH": str(ROOT)})
+
+
+def test_verification_passes_or_says_why_it_cannot(tmp_path, opencolorio):
+    """The second configuration has no space of data: what is written to a file comes back as something else."""
     file = tmp_path / "own.ocio"
-    write_configuration(file, linear, PyOpenColorIO)
+    write_configuration(file, P3, opencolorio)
+    passed = verified(file, tmp_path)
+    assert passed.returncode == 0 and "Green" in passed.stdout, passed.stdout + passed.stderr
+    config = opencolorio.Config.CreateFromFile(str(file))
+    config.removeColorSpace("Raw")
+    config.setRole("data", "Screen")
+    file.write_text(config.serialize(), encoding="utf-8")
+    failed = verified(file, tmp_path)
+    assert failed.returncode == 2 and "use one that has a role for data" in failed.stderr, failed.stderr
+
+
+@pytest.mark.parametrize("linear, name", [(P3, "primaries 0.68"), (AP1, "ACEScg")], ids=["P3", "ACEScg"])
+def test_a_configuration_of_ones_own(linear, name, tmp_path, opencolorio):
+    """Would catch names in place of the measured matrix, and "Non-Color", which this configuration calls otherwise."""
+    file = tmp_path / "own.ocio"
+    write_configuration(file, linear, opencolorio)
     found = under(file)
     assert found["space"].startswith(name) and found["verified"]
     for preset in ("copper", "film", "plastic"):

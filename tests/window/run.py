@@ -27,7 +27,7 @@ from tools.package import build  # noqa: E402
 TUTORIALS = {"tutorial_copper": "brushed_copper.md", "tutorial_ring": "anodised_ring.md",
              "tutorial_water": "glass_of_water.md"}
 """Sessions of the documents' tutorials, which take their pictures; run by name, or all by "tutorials"."""
-SESSIONS = ("newcomer", "picker", "panel", "layers", "shader_editor", "assets", "fitting")
+SESSIONS = ("newcomer", "picker", "panel", "layers", "shader_editor", "assets", "fitting", "exporting")
 AT_MOST_S = 150
 RETRY_UNTIL_S = 300
 FAILED, NO_WINDOW = 1, 3

@@ -11,7 +11,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
 from .. import compat
-from ..datablocks.groups import is_bringing, merge_groups
+from ..datablocks.groups import group_id, is_bringing, merge_groups, settled
 from ..datablocks.locked import is_editable
 from ..datablocks.materials import baked_of, our_node, record_of, write
 
@@ -30,6 +30,9 @@ def _after_import(imported, *_):
     trees = [one for one in arrived if isinstance(one, bpy.types.NodeTree)]
     for material in materials:
         renew(material)
+    for tree in trees:
+        if group_id(tree) and is_editable(tree):
+            settled(tree)
     merge_groups(trees)
 
 

@@ -6,6 +6,7 @@ They do not change with the Blender that reads the group, so that a group is kno
 import hashlib
 import struct
 
+from ...nodes.newcomers import deferred
 from .. import compat
 
 __all__ = ["fingerprint", "fingerprint_0_1_0", "fingerprint_of_part"]
@@ -67,8 +68,12 @@ def fingerprint(tree, known=None):
     for node in tree.nodes:
         if node.bl_idname != "NodeFrame":
             digest.update(repr(_of_node(node, known)).encode())
+    waiting = {(node.name, fed): source for node in tree.nodes for fed, source in deferred(node).items()}
     for link in tree.links:
-        digest.update(_of_link(link).encode())
+        if (link.to_node.name, link.to_socket.identifier) not in waiting:
+            digest.update(_of_link(link).encode())
+    for (name, fed), source in sorted(waiting.items()):
+        digest.update(f"{'.'.join(source)}>{name}.{fed}".encode())
     return digest.hexdigest()[:16]
 
 
@@ -98,8 +103,10 @@ def fingerprint_of_part(tree, known):
 
 def _valued(node):
     """The inputs of a node whose own value counts."""
+    waiting = deferred(node)
     return [socket for socket in node.inputs
-            if not socket.is_linked and hasattr(socket, "default_value") and not compat.is_unused_newcomer(socket)]
+            if not socket.is_linked and socket.identifier not in waiting and hasattr(socket, "default_value")
+            and not compat.is_unused_newcomer(socket)]
 
 
 def _shown(value):

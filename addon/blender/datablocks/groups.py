@@ -7,6 +7,8 @@ import bpy
 
 from ... import models
 from ...models.realisations import REALISATIONS
+from ...nodes import newcomers
+from .. import compat
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .locked import is_editable
 from .parts import drop_unused_parts, mark_parts, merge_parts
@@ -14,7 +16,7 @@ from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
            "input_names", "is_bringing", "library_file", "mark", "merge_groups", "model_of_group", "node_group",
-           "socket_named"]
+           "settled", "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
 """The groups as tools/build_groups.py built them, appending one takes milliseconds, building one seconds;
@@ -78,7 +80,7 @@ def node_group(identifier, image=None, whole=None):
     shown = [tree for tree in ours if not group.pictured or key_of(image_in(tree)) == key_of(image)]
     same = [tree for tree in shown if not edited(tree)]
     if same:
-        return _merged(same, group, image)
+        return settled(_merged(same, group, image))
     if not group.pictured:
         return _brought(model, group, image)
     like = whole if whole in ours else next((tree for tree in ours if not edited(tree)), None)
@@ -97,6 +99,12 @@ def _brought(model, group, image):
     if group.pictured:
         put_image(tree, image)
     merge_parts()
+    return settled(tree)
+
+
+def settled(tree):
+    """The group, its links as this Blender takes them."""
+    newcomers.settle(tree, compat.has_native_film())
     return tree
 
 

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["attach", "detach", "next_one", "ours", "renew", "stale", "when_export_opens"]
 
-BELOW = 420
-"""How far under the material's own node it is."""
+ABOVE = 180
+"""How far over the material's own node it is: nodes open downwards."""
 
 _waiting = []
 
@@ -63,7 +63,9 @@ def renew(material: bpy.types.Material) -> Standin:
     tree.links.new(shader.outputs[0], output.inputs[0])
     for column, one in enumerate((shader, output)):
         one.parent, one.hide = frame, True
-        one.location = (node.location.x + 300 * column, node.location.y - BELOW)
+        one.location = (node.location.x + 300 * column, node.location.y + ABOVE)
+        for socket in one.inputs:
+            socket.hide = not socket.is_linked
     _set(shader, found)
     return found
 

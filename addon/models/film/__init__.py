@@ -13,7 +13,7 @@ def _evaluate(parameters, n, v, l, tangent=None):
 
 def _bake(resolved, viewing, realisation, renderer):
     from .baking import bake_for
-    return bake_for(resolved, viewing)
+    return bake_for(resolved, viewing, renderer)
 
 
 def _look(parameters, place=None):
@@ -70,7 +70,7 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Standard", 7, "fast.build",
+        Group("film_fast", "Film Standard", 8, "fast.build",
               "Films of measured layers, clean and fast: the one to take first",
               stand_in="film_eevee", pictured=True),
         Group("film_exact", "Film Reference", 8, "exact.build",

@@ -10,18 +10,20 @@ from ..model import Baked, Look
 from . import known
 from .formulas import slope
 from .parameters import Film
-from .tables import colour_of, table_of
+from .tables import colour_of, table_of, track_of
 
 __all__ = ["COUNT", "LEAST_SLOPE", "bake_for", "facts_of", "look", "no_longer"]
 
 COUNT = 3
 """Thicknesses that the realisations' errors are worked out at."""
+NATIVE = "exact"
+"""The formula of renderers whose Metallic BSDF has a thin film of its own."""
 LEAST_SLOPE = 0.01
 """That errors are worked out at; below it films are mirrors."""
 
 
-def bake_for(resolved, viewing):
-    """The Baked of a preset or a stack, for viewing options.
+def bake_for(resolved, viewing, renderer):
+    """The Baked of a preset or a stack, for viewing options and a Renderer.
 
     Where the preset says nothing else the thickness is the middle of what
     varies, and a film with air on both sides is seen through.
@@ -34,23 +36,32 @@ def bake_for(resolved, viewing):
     if "thickness_range" not in stated:
         stated.setdefault("thickness", 0.5 * (low + high))
     stated.setdefault("see_through", float(table.is_pane))
-    return Baked(stated, facts_of(preset, Film(**stated), table))
+    parameters = Film(**stated)
+    native = renderer.formula == NATIVE and parameters.see_through == 0.0
+    track = track_of(parameters.stack, viewing, own=parameters.own_layers) if native else None
+    return Baked(stated, facts_of(preset, parameters, table, track))
 
 
-def facts_of(preset, parameters, table):
-    """All that was baked, ready for JSON."""
+def facts_of(preset, parameters, table, track=None):
+    """All that was baked, ready for JSON.
+
+    track  a FilmTrack where the renderer has a native film that follows it
+    """
     m = float(slope(parameters.roughness))
-    errors = {name: errors._asdict() for name, errors in _errors_of(table, max(m, LEAST_SLOPE)).items()}
+    errors = {name: errors._asdict() for name, errors in _errors_of(table, max(m, LEAST_SLOPE), track).items()}
     return {"name": preset.name, "title": preset.title, "kind": preset.kind,
             "note": " ".join(filter(None, (preset.note, preset.estimated))) or table.said(),
             **table.to_dict(), "slope": m, "realisations": errors}
 
 
 @functools.lru_cache(maxsize=16)
-def _errors_of(table, m):
-    """The realisations' errors of a table, which is the same object for the same stack while it is kept."""
+def _errors_of(table, m, track):
+    """The realisations' errors of a table and a track, which are the same objects for the same stack while kept."""
     of_presets = known.errors().get((table.text, round(m, 6))) if table.viewing == Viewing() else None
-    return of_presets or realisation_errors(table, m, COUNT)
+    if of_presets is None:
+        return realisation_errors(table, m, COUNT, track)
+    return of_presets if track is not None or "lobes" not in of_presets else \
+        {"standard": of_presets["lobes"], "reference": of_presets["reference"]}
 
 
 def no_longer(parameters, baked):

@@ -1,7 +1,8 @@
 """A film by native closures: a tilted Beckmann lobe for each channel, light-sampled on every device.
 
 The table is looked up a spread of V·H above and below its mean over the facets
-that V sees: see addon.reflectance.film_facets.
+that V sees: see addon.reflectance.film_facets.  Where there is a native film,
+that takes over from the slope on at which it is closer: see .native.
 """
 
 from types import SimpleNamespace
@@ -9,6 +10,7 @@ from types import SimpleNamespace
 from ...operands import dot, minimum, part, sqrt
 from ...reflectance.film_facets import lobes_of, seen_along, two_looks
 from .lookup import is_blended, look
+from .native import native_film, place_of_track
 from .surface import Surface, lobe
 
 __all__ = ["build", "build_eevee"]
@@ -19,10 +21,19 @@ def build(builder):
     surface = Surface(builder, "fast")
     s = surface.sockets
     stretching = SimpleNamespace(anisotropy=s.anisotropy, rotation=s.rotation, tangent=surface.tangent)
+    track = place_of_track(builder, surface.table.across, s.rows, s.height)
     lobes, reflected = zip(*(
-        _lobes(builder, surface.n, surface.v, m, roughness, s.tint, stretching, surface.table)
+        _closer(builder, surface.n, surface.v, m, roughness, s.tint, stretching, surface.table, track)
         for m, roughness in ((surface.m, s.roughness), (surface.second, sqrt(surface.second)))))
     builder.output("BSDF", surface.closures(surface.mixed(*lobes), reflected[0]))
+
+
+@part("Film's Lobes", "BSDF", "Reflected")
+def _closer(builder, n, v, m, roughness, tint, stretching, table, track):
+    """(the closer of the native film and the tilted lobes at a slope m, the colour of the lobes)."""
+    native, left, some = native_film(builder, n, m, roughness, tint, stretching, track)
+    lobes, reflected = _lobes(builder, n, v, m, roughness, left, stretching, table)
+    return builder.add_shaders(builder.scale_shader(some, lobes), native), reflected
 
 
 @part("Tilted Lobes", "BSDF", "Reflected")

@@ -5,10 +5,13 @@ films.table is made by tools/build_film_facts.py; what is not in it is worked ou
 
 import functools
 
+import numpy as np
+
 from ...bake.film_errors import RealisationErrors
+from ...bake.film_track import FilmTrack
 from ...spectra import tables as packed
 
-__all__ = ["NAME", "errors", "forget", "tables"]
+__all__ = ["NAME", "errors", "forget", "tables", "tracks"]
 
 NAME = "films"
 
@@ -30,7 +33,15 @@ def errors():
             for stack, m, found in _part("errors")}
 
 
+@functools.cache
+def tracks():
+    """{stack in words: FilmTrack of it}."""
+    return {stack: FilmTrack(np.linspace(*ends, len(knots)), np.array(knots), np.array(slopes))
+            for stack, ends, knots, slopes in _part("tracks")}
+
+
 def forget():
     """Read the table anew."""
     tables.cache_clear()
     errors.cache_clear()
+    tracks.cache_clear()

@@ -6,6 +6,7 @@ import hashlib
 
 import numpy as np
 
+from ...bake.film_choice import film_track
 from ...bake.film_curve import curve_table, is_curve
 from ...bake.film_table import curve_over_angle, film_table, smallest_table
 from ...bake.reflected import Viewing
@@ -14,9 +15,9 @@ from ...catalogue.resolving import layers_in
 from ..model import Picture
 from . import known
 
-__all__ = ["colour_of", "picture", "stack_of", "table_of"]
+__all__ = ["colour_of", "picture", "stack_of", "table_of", "track_of"]
 
-VERSION = 1
+VERSION = 2
 """Raised whenever what a table's image holds changes."""
 OF_METALS, OF_DARK = 0.5, 1.0
 """CIEDE2000 that a table may be off by: on what absorbs, and where little is reflected."""
@@ -68,6 +69,21 @@ def _table(text, light, of, own):
     return smallest_table(stack, light, OF_METALS if bright else OF_DARK, progress=next(iter(_told), None))
 
 
+def track_of(text, viewing, own=""):
+    """The FilmTrack of a stack in words of one film, as :func:`table_of` takes them; None for other stacks."""
+    return _track(text, Viewing(**viewing), own)
+
+
+@functools.lru_cache(maxsize=16)
+def _track(text, light, own):
+    if is_curve(text) or len(stack_of(text, own).films) != 1:
+        return None
+    table = _table(text, light, "reflected", own)
+    if text in known.tracks() and light == Viewing() and not own:
+        return known.tracks()[text]
+    return film_track(table)
+
+
 @functools.lru_cache(maxsize=64)
 def colour_of(text, thickness_nm, own=""):
     """Linear Rec.709 of one thickness seen face on, ``(3,)``, without a table."""
@@ -88,7 +104,7 @@ def _in_medium(stack, medium, find):
 
 
 def picture(parameters, viewing):
-    """The Picture of a Film's table: √R, and above it √A, the absorbed share, where it is seen through."""
+    """The Picture of a Film's table: √R; above it √A, the absorbed share, where it is seen through, else its track."""
     clear = parameters.see_through > 0.0
     words = parameters.stack, parameters.own_layers
     told = repr((VERSION, *filter(None, words), sorted(viewing.items()), clear))
@@ -103,12 +119,23 @@ def _made(text, own, viewing, clear):
         absorbed = np.ones_like(pixels)
         absorbed[..., :3] = np.sqrt(_absorbed(text, own, viewing)) if table.absorbs else 0.0
         pixels = np.concatenate([pixels, absorbed])
+    elif track_of(text, viewing, own) is not None:
+        pixels = np.concatenate([pixels, _track_rows(track_of(text, viewing, own), table)])
     rows, columns = table.size
     low, high = table.thickness_range_nm
     values = {"stack": text, **({"own_layers": own} if own else {})}
     return pixels, values, {"First Thickness": low, "Last Thickness": high, "Columns": float(columns),
                             "Rows": float(rows), "Image Rows": float(len(pixels))}
 
+
+def _track_rows(track, table):
+    """Three rows of the image: (index, thickness, slope from which it is closer), n and k, ``(3, columns, 4)``."""
+    thicknesses = np.linspace(*table.thickness_range_nm, table.size[1])
+    film = track.at(thicknesses)
+    found = np.ones((3, len(thicknesses), 4), np.float32)
+    found[0, :, :3] = np.stack([film.index, film.thickness_nm, track.from_slope_at(thicknesses)], axis=-1)
+    found[1, :, :3], found[2, :, :3] = film.n, film.k
+    return found
 
 
 def _absorbed(text, own, viewing):
