@@ -4,8 +4,8 @@ The V-cavity G leaves facets unshadowed up to its kinks and ends rough lobes soo
 further V leans, and it narrows them in the plane of N and V.  A Beckmann lobe whose slope, weight and anisotropy follow
 N·V makes up for most of that.  They were fitted to spheres under suns from 20° to 90° and to the albedo, m from 0.2 to
 0.65, that of 60° counting most: first at each N·V by itself, then as polynomials.  On a sphere under a sun at 60°,
-where N·V is above 0.2, the rms difference is 0.2 % of the rms at m = 0.2, 0.3 % at 0.3, 1.2 % at 0.4, 2.4 % at 0.5 and
-3.4 % at 0.6 (with slope and weight constant 0.3 %, 0.2 %, 1.7 %, 5.2 % and 9.7 %); the albedo is within 1.4 % up to 80°
+where N·V is above 0.2, the rms difference is 0.3 % of the rms at m = 0.2, 0.4 % at 0.3, 1.2 % at 0.4, 2.4 % at 0.5 and
+3.5 % at 0.6 (with slope and weight constant 0.0 %, 0.2 %, 1.7 %, 5.2 % and 9.7 %); the albedo is within 1.2 % up to 80°
 and m = 0.6.  Where a surface is anisotropic itself, its lobes keep its own anisotropy.
 """
 
