@@ -3,7 +3,7 @@
 from .parameters import add_inputs
 from .realisations import REALISATIONS
 
-__all__ = ["build_script"]
+__all__ = ["build_script", "parameter_of"]
 
 
 def build_script(builder, model, realisation, given=lambda sockets: {}):
@@ -16,3 +16,12 @@ def build_script(builder, model, realisation, given=lambda sockets: {}):
     exact = not REALISATIONS[realisation].native
     values = {"Exact": int(exact), **given(sockets)}
     builder.output("BSDF", builder.script(model.folder / f"{model.name}.osl", values))
+
+
+def parameter_of(socket):
+    """What a script calls the parameter that a socket's name is for.
+
+    >>> parameter_of("Slope Ratio 2"), parameter_of("See-through")
+    ('SlopeRatio2', 'Seethrough')
+    """
+    return socket.replace(" ", "").replace("-", "")

@@ -11,6 +11,7 @@ import math
 import bpy
 import numpy as np
 
+from ..models.osl import parameter_of
 from . import newcomers, parts
 from .layout import arrange
 from .operand import NodeOperand
@@ -204,24 +205,30 @@ class GroupBuilder:
             self._shared[key] = NodeOperand(self, "VECTOR", node.outputs[0])
         return self._shared[key]
 
-    def script(self, file, values):
-        """The closure of an OSL script, whose parameters bear the names of the group's inputs without their spaces.
+    def script(self, file, values, output="BSDF"):
+        """An output of an OSL script, whose parameters bear the names of the group's inputs: see
+        :func:`addon.models.osl.parameter_of`.
 
         file    path of the source, which travels in the file as a text
         values  {parameter: number or operand} of those that are no input, or take an input's place
+
+        Inputs that the script has no parameter for are for nodes beside it.
         """
         node = self._new_node("ShaderNodeScript", {"mode": "INTERNAL"})
         node.script = text_of(file)
         compile_script(node)
+        self._lasting.add(node.name)
+        parameters = {socket.identifier for socket in node.inputs}
         for item in self.tree.interface.items_tree:
-            if item.item_type == "SOCKET" and item.in_out == "INPUT":
-                self.connect(socket_of(node.inputs, item.name.replace(" ", "")), NodeOperand(self, "FLOAT", item.name))
+            if item.item_type == "SOCKET" and item.in_out == "INPUT" and parameter_of(item.name) in parameters:
+                self.connect(socket_of(node.inputs, parameter_of(item.name)), NodeOperand(self, "FLOAT", item.name))
         for name, value in values.items():
             if isinstance(value, NodeOperand):
                 self.connect(socket_of(node.inputs, name), value)
             else:
                 socket_of(node.inputs, name).default_value = value
-        return NodeOperand(self, "SHADER", socket_of(node.outputs, "BSDF"))
+        found = socket_of(node.outputs, output)
+        return NodeOperand(self, kind_of(found), found)
 
     def add_shaders(self, *shaders):
         """Sum of closures."""

@@ -178,6 +178,28 @@ def native_lobes_cases():
     return [x, m, single(sampler.native_lobe(x.n_v, m)[1])]
 
 
+def with_mirrors():
+    """The same, and on surfaces so smooth that single precision does not tell their facets' cosines from 1."""
+    count = 60
+    n, v, _, _, _, flanks, gaussian, t, _, _, *numbers = drawings(longest=1.0, count=count)
+    m = single(MIRROR * (1.0 + np.arange(count) / count))
+    x = sampler.facet(n, v, m, 0.0 * m, 0.0 * m, 0.0 * flanks, 0.0 * gaussian, *numbers, ellipse_of(t, 1.0, 1.0))
+    smooth = [single(fields_of(x)), m, single(sampler.native_lobe(x.n_v, m)[1])]
+    above = x.n_l > 0.01
+    return [joined_cases(a, b, above) for a, b in zip(native_lobes_cases(), smooth)]
+
+
+def joined_cases(first, second, chosen):
+    """Both, the second where chosen; of a SimpleNamespace, member by member."""
+    if isinstance(first, SimpleNamespace):
+        return SimpleNamespace(**{name: joined_cases(value, getattr(second, name), chosen)
+                                  for name, value in vars(first).items()})
+    return np.concatenate([first, second[chosen]])
+
+
+MIRROR = 1e-3
+
+
 def weights_cases():
     x, m = seen_facets()
     n, k = metals(len(m))
@@ -235,7 +257,7 @@ FORMULAS = {
         facet, drawings()),
     "sharpened_v_cavity(Facet)": (lambda x: sampler.sharpened_v_cavity(read(x)), seen_facets()[:1]),
     "native_over_D(Facet, float, float)": (
-        lambda x, m, lean: sampler.native_over_d(read(x), m, lean), native_lobes_cases()),
+        lambda x, m, lean: sampler.native_over_d(read(x), m, lean), with_mirrors()),
     "facet_weight(Facet, float, float, vector, vector, color, color)": (facet_weight, weights_cases()),
     "gaussian_shares(float, output float, output float, output float)": (
         lambda m: [share for share, _slope in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),

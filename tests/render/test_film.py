@@ -81,6 +81,42 @@ def test_what_a_clear_film_reflects_and_lets_through_is_all_of_an_even_world(pre
     np.testing.assert_allclose(probes.render(scene).mean(axis=(0, 1)), 1.0, atol=1e-3)
 
 
+@pytest.mark.parametrize("realisation", ["exact", "osl"])
+@pytest.mark.parametrize("preset", ["soap_bubble", "coated_lens"])
+def test_nor_is_light_lost_towards_grazing_where_facets_are_drawn(realisation, preset):
+    """On films as smooth as these single precision knows no slope by its cosine; by that 0.6 % were lost at 80°."""
+    scene = probes.empty_scene(8, samples=2048, extent=0.5, osl=realisation == "osl")
+    bpy.ops.mesh.primitive_plane_add(size=20.0, rotation=(0.0, np.radians(80.0), 0.0))
+    bpy.context.object.data.materials.append(api.create_material(preset=preset, realisation=realisation))
+    probes.set_world(scene, 1.0)
+    np.testing.assert_allclose(probes.render(scene).mean(axis=(0, 1)), 1.0, atol=1e-3)
+
+
+LOOKS = {"titanium": {"preset": "anodised_titanium", "roughness": 0.4},
+         "soap": {"preset": "soap_bubble", "roughness": 0.3},
+         "two slopes": {"preset": "heat_tinted_steel", "roughness": 0.35, "second_weight": 0.4},
+         "stretched": {"preset": "anodised_titanium_blue", "roughness": 0.4, "anisotropy": 0.7, "rotation": 0.1},
+         "mixed": {"preset": "anodised_niobium", "specular": 0.6, "tint": (0.9, 0.6, 0.8)}}
+
+
+@pytest.mark.filterwarnings("ignore:Open Shading Language")
+@pytest.mark.parametrize("look", LOOKS)
+def test_the_script_renders_what_reference_does(look):
+    """By independent seeds: the means of blocks differ by their noise, as far as three in a hundred of all light."""
+    means, errors = [], []
+    for realisation in ("exact", "osl"):
+        scene = probes.empty_scene(16, samples=128, osl=realisation == "osl")
+        probes.add_sphere(api.create_material(realisation=realisation, **LOOKS[look]), 64)
+        probes.set_world(scene, 0.5)
+        pictures_of = probes.render_seeds(scene, 4, first=1 if realisation == "exact" else 101)
+        blocks = pictures_of.reshape(4, 4, 4, 4, 4, 3).mean(axis=(2, 4))
+        means.append(blocks.mean(axis=0))
+        errors.append(blocks.std(axis=0, ddof=1) / 2.0)
+    off = np.abs(means[1] - means[0])
+    assert (off / np.hypot(*errors).clip(1e-4)).mean() < 2.0
+    assert off.max() < 0.03 * means[0].max()
+
+
 def stand_in_of(tree):
     """The group that EEVEE shows, within another one."""
     nested = [node.node_tree for node in tree.nodes if node.bl_idname == "ShaderNodeGroup"]

@@ -9,10 +9,10 @@ import pytest
 
 from addon import models
 from tests import osl_probe
-from tests.render import osl_cook_torrance, osl_layered_rgb
+from tests.render import osl_cook_torrance, osl_film, osl_layered_rgb
 from tests.render.osl_grids import joined
 
-SCRIPTS = [osl_cook_torrance, osl_layered_rgb]
+SCRIPTS = [osl_cook_torrance, osl_film, osl_layered_rgb]
 
 TOLERANCE = 1e-5
 """Of a result up to 1, and as a share of larger ones: single precision has no more than 6e-8 of each."""

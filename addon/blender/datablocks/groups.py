@@ -84,7 +84,7 @@ def node_group(identifier, image=None, whole=None):
     if not group.pictured:
         return _brought(model, group, image)
     like = whole if whole in ours else next((tree for tree in ours if not edited(tree)), None)
-    return _copied(like, group, image) if like else _brought(model, group, image)
+    return _copied(like, image) if like else _brought(model, group, image)
 
 
 def _brought(model, group, image):
@@ -108,13 +108,14 @@ def settled(tree):
     return tree
 
 
-def _copied(like, group, image):
-    """A copy of a pictured group with another image, which also the group in it has that EEVEE shows."""
+def _copied(like, image):
+    """A copy of a pictured group with another image, which also the groups in it have that are shown in its place."""
     tree = like.copy()
     put_image(tree, image)
     for node in tree.nodes:
-        if group.stand_in and group_id(getattr(node, "node_tree", None)) == group.stand_in:
-            node.node_tree = node_group(group.stand_in, image)
+        shown = group_of(group_id(getattr(node, "node_tree", None)))
+        if shown is not None and shown.pictured:
+            node.node_tree = node_group(shown.identifier, image)
     return tree
 
 
@@ -213,7 +214,7 @@ def _show_without_osl(tree, other):
     There the script's output Runs does not exist, and what it is linked to keeps a value of its own: 0.
     """
     output = _output_of(tree)
-    script = next(node for node in tree.nodes if node.bl_idname == "ShaderNodeScript")
+    script = output.inputs[0].links[0].from_node
     mix = tree.nodes.new("ShaderNodeMixShader")
     mix.location = output.location
     output.location.x += 200

@@ -408,27 +408,38 @@ def native_over_d(x, m, lean):
     >>> round(float(native_over_d(x, 0.5, 0.0)), 4)
     0.9637
     """
-    slope2_h, slope2_v, slope2_l = _slopes_about(x.n_h, x.n_v, x.n_l, x.v_h, lean)
+    tan2_h = _steepness_about(x.n_v, x.v_across, x.tangent, x.level, lean)
+    slope2_v, slope2_l = _slopes_about(x.n_v, x.n_l, x.v_h, lean)
     m2, m_native = m * m, native_slope(m)
     m2_native = m_native * m_native
     narrower = m2 / m2_native
     masked, shadowed = (
         smith_lambda_of_slope(sqrt(m2_native * slope2 + (-m2_native))) for slope2 in (slope2_v, slope2_l))
     sharper = 1.0 / (1.0 - minimum((narrower - 1.0) * (x.stretch - 1.0), 0.5))
-    steeper = sharper / m2_native
-    ratio = exp((-steeper) * slope2_h + ((sharper / m2) * x.steepness + (steeper + log(sharper * narrower))))
-    peaks = slope2_h * x.flat
+    ratio = exp((sharper / m2) * (x.steepness - narrower * tan2_h) + log(sharper * narrower))
+    peaks = (tan2_h + 1.0) * x.flat
     return (peaks * peaks) * ratio * (x.n_v * sqrt(slope2_v)) / (masked + shadowed + 1.0)
 
 
-@part("Slopes about the Native Lobe", "of H", "of V", "of L")
-def _slopes_about(n_h, n_v, n_l, v_h, lean):
-    """The squares of the slopes of H, V and L about N + lean V, and 1."""
+@part("Steepness about the Native Lobe")
+def _steepness_about(n_v, v_across, tangent, level, lean):
+    """tan² of the angle from H to N + lean V: |H × (N + lean V)|² over the square of their product, by components.
+
+    Not 1/cos² - 1: single precision knows a cosine near 1 no better than the squared slope of a mirror.
+    """
+    n = lean * n_v + 1.0
+    along, product = lean * v_across - n * tangent, lean * level + 1.0
+    askew2 = (lean * lean) * ((1.0 - n_v * n_v) - v_across * v_across)
+    return (askew2 * (tangent * tangent + 1.0) + along * along) / (product * product)
+
+
+@part("Slopes about the Native Lobe", "of V", "of L")
+def _slopes_about(n_v, n_l, v_h, lean):
+    """The squares of the slopes of V and L about N + lean V, and 1."""
     # Cosines to N + lean V, which is 1/shorter times as long as N.
     shorter2 = lean * (2.0 * n_v + lean) + 1.0
-    y_h, y_v = lean * v_h + n_h, lean + n_v
-    y_l = maximum((2.0 * (v_h * v_h) - 1.0) * lean + n_l, SMALLEST)
-    return tuple(shorter2 / (y * y) for y in (y_h, y_v, y_l))
+    y_v, y_l = lean + n_v, maximum((2.0 * (v_h * v_h) - 1.0) * lean + n_l, SMALLEST)
+    return shorter2 / (y_v * y_v), shorter2 / (y_l * y_l)
 
 
 def sharpened_v_cavity(x):

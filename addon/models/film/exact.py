@@ -7,7 +7,7 @@ least of seven looks around its mean, by channel.
 
 from types import SimpleNamespace
 
-from ...operands import clip, less, maximum, minimum, part, rotate, sqrt, where, widen, x_of, y_of, z_of
+from ...operands import clip, less, maximum, minimum, part, rotate, sqrt, term, where, widen, x_of, y_of, z_of
 from ...reflectance.directions import PI
 from ...reflectance.film_facets import mean_v_h, spread_v_h
 from ...reflectance.sampling import narrow_slope, wide_slope
@@ -25,7 +25,7 @@ from ..cook_torrance.sampler import (
 from .lookup import look
 from .surface import Surface, glossy
 
-__all__ = ["build", "looks"]
+__all__ = ["build", "facet_weight", "kept", "looks", "looks_at"]
 
 FACET, ROULETTE = 1, 2
 """The random numbers of a sample, each a dimension of its own."""
@@ -54,19 +54,20 @@ def build(builder):
 def _lobes(builder, facets, m, table):
     """The lobe about a drawn facet, and the native one under it."""
     share, lean = native_lobe(facets.n_v, m)
-    middle, floor = _looks(builder, facets.n_v, m, table)
+    middle, floor = looks_at(builder, facets.n_v, m, table)
     with builder.frame("Native lobe"):
         native = floor * widen(facets.has_native * HEADROOM * share)
         under = glossy(builder, facets.tint * native, facets.n + widen(lean) * facets.v, sqrt(native_slope(m)))
     with builder.frame("Roulette"):
-        probability = where(facets.has_native, _kept(middle, share, floor), 1.0)
+        probability = where(facets.has_native, kept(middle, share, floor), 1.0)
         shown = less(builder.random(ROULETTE), probability)
     drawn = _drawn(builder, facets, m, native, lean, probability, table)
     return builder.add_shaders(builder.scale_shader(shown, drawn), under)
 
 
 @part("Looks at the Film", "Middle", "Least")
-def _looks(builder, n_v, m, table):
+def looks_at(builder, n_v, m, table):
+    """The :func:`looks` in a table of addon.models.film.lookup."""
     return looks(n_v, m, lambda c: look(builder, c, table))
 
 
@@ -85,8 +86,12 @@ def looks(n_v, m, look):
 
 
 @part("Kept")
-def _kept(middle, share, floor):
-    """Probability of drawing a facet at all: more than the brightest channel's share that the native lobe leaves."""
+def kept(middle, share, floor):
+    """Probability of drawing a facet at all: more than the brightest channel's share that the native lobe leaves.
+
+    >>> round(float(kept([0.5, 0.4, 0.1], 0.9, [0.4, 0.4, 0.1])), 6)
+    0.42
+    """
     left = _brightest(middle - floor * widen(share))
     return clip(KEPT_OVER * left / maximum(_brightest(middle), LEAST_COLOUR), LEAST_KEPT, 1.0)
 
@@ -102,13 +107,31 @@ def _drawn(builder, facets, m, native, lean, probability, table):
     narrow, wide, turned = _drawn_about(facets, m)
     ellipse = stretched(facets.n, turned, m, facets.anisotropy)
     x = facet(facets.n, facets.v, m, narrow, wide, FLANKS * facets.has_native, 0.0, tilt, azimuth, side, ellipse)
-    whole = look(builder, x.v_h, table) * widen(sharpened_v_cavity(x))
-    with builder.frame("f cos/p"):
-        left = maximum(whole - native * widen(native_over_d(x, m, lean)), 0.0)
-        colour = left * widen(x.density / probability)
+    colour = facet_weight(x, look(builder, x.v_h, table), native, m, lean, probability)
+    with builder.frame("Lobe"):
         squeezed = sqrt(x.narrow / x.broad)
         return glossy(builder, facets.tint * colour, x.h, sqrt(x.narrow / squeezed), Anisotropy=1.0 - squeezed,
                       Tangent=x.lobe_tangent)
+
+
+@term("f cos/p")
+def facet_weight(x, film, native, m, lean, probability=1.0):
+    """Colour of the lobe about a drawn facet: F G less the native lobe, over the density, ``(..., 3)``.
+
+    x            from :func:`addon.models.cook_torrance.sampler.facet`
+    film         colour of the film at its V·H
+    native       colour of the native lobe times its weight; 0 where there is none
+    m, lean      rms slope, and the native lobe's lean
+    probability  with which the facet is drawn at all
+
+    >>> from addon.reflectance.directions import direction
+    >>> up = direction(0.0, 0.0)
+    >>> x = facet(up, up, 0.5, 0.0, 0.0, 0.0, 0.0, 0.36787944, 0.0, 0.0)
+    >>> facet_weight(x, (0.5, 0.2, 0.0), (0.0, 0.0, 0.0), 0.5, 0.0).round(4).tolist()
+    [0.5, 0.2, 0.0]
+    """
+    left = maximum(film * widen(sharpened_v_cavity(x)) - native * widen(native_over_d(x, m, lean)), 0.0)
+    return left * widen(x.density / probability)
 
 
 @part("Slopes of the Facet's Lobe", "narrow", "wide", "turned")

@@ -109,7 +109,7 @@ TABLE = (
     Direction(name="tangent", socket="Tangent",
               tip="Direction that anisotropy is along; around the object's Z axis where nothing is plugged in"),
     Number(name="sampling_width", socket="Sampling Width", key="width", default=0.2, low=0.0, high=1.0,
-           subtype="FACTOR", realisations=("exact",),
+           subtype="FACTOR", realisations=("exact", "osl"),
            tip="0: the formula itself, by mirrors, lit only by what they happen to hit; above: narrow lobes, "
                "as a share of the slope, which lamps of any size light and which blur the formula a little"),
     Number(name="second_ratio", symbol="m₂/m₁", socket="Slope Ratio 2", key="ratio2", default=3.0, low=0.001,
