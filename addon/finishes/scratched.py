@@ -69,10 +69,10 @@ def build(builder):
     handled = s.amount * _handled(builder, at, s.scale)
     deep = SimpleNamespace(scale=s.scale, width=s.width, depth=s.depth, amount=handled)
     fine = SimpleNamespace(scale=FINER * s.scale, width=THINNER * s.width, depth=SHALLOWER * s.depth, amount=handled)
-    grooves, slopes = _layer(builder, deep, at, facing, sheet_normals(), 1.0)
-    hairs, faint = _layer(builder, fine, at, facing, sheet_normals(SETS, 1.0), 11.0)
+    grooves, steep = part("Deep Scratches", "line", "slope")(_layer)(builder, deep, at, facing, _deep_sheets)
+    hairs, faint = part("Hairlines", "line", "slope")(_layer)(builder, fine, at, facing, _fine_sheets)
     with builder.frame("Surface"):
-        normal = part("Scratched Normal")(tilted)(n, *slopes, *faint)
+        normal = part("Scratched Normal")(tilted)(n, (steep + faint, 1.0))
         mask = maximum(grooves, 0.8 * hairs)
         rough = s.roughness + (s.scuffed - s.roughness) * mask
         pale = whitened(s.diffuse, s.whitening * mask)
@@ -88,16 +88,30 @@ def _handled(builder, at, scale):
     return 0.35 + 0.65 * band(noise(builder, at, 0.45 * scale, 2.0), 0.38, 0.6)
 
 
-def _layer(builder, s, at, facing, normals, seed):
-    """(1 in the scratches, [(direction, rise)] of each set) of scratches of one size."""
+def _deep_sheets():
+    """(normal, a direction in the sheets, seed) of each set of the deep scratches."""
+    return _sheets(0.0, 1.0)
+
+
+def _fine_sheets():
+    """Those of the hairlines."""
+    return _sheets(1.0, 11.0)
+
+
+def _sheets(turned, seed):
+    return [(across, tuple(float(x) for x in normalize(cross(across, (across[1], across[2], across[0])))), seed + j)
+            for j, across in enumerate(sheet_normals(SETS, turned))]
+
+
+def _layer(builder, s, at, facing, sheets):
+    """(1 in the scratches of one size, the slope of the surface in them, ``(..., 3)``)."""
     bent = at + (_bend(builder, at, s.scale) - (0.5, 0.5, 0.5)) * (BEND / s.scale)
-    mask, slopes = 0.0, []
-    for j, across in enumerate(normals):
-        aside = tuple(float(x) for x in normalize(cross(across, (across[1], across[2], across[0]))))
-        line, rise, direction = _set(builder, s, bent, facing, across, aside, seed + j)
+    mask, slope = 0.0, 0.0
+    for number, (across, aside, seed) in enumerate(sheets()):
+        line, rise, direction = _set(builder, s, bent, facing, across, aside, seed)
         mask = maximum(mask, line)
-        slopes.append((direction, rise))
-    return mask, slopes
+        slope = slope + direction * rise if number else direction * rise
+    return mask, slope
 
 
 def _bend(builder, at, scale):
@@ -118,12 +132,24 @@ def _set(builder, s, at, facing, across, aside, seed):
     cell, drawn, along = _piece(builder, x, along, seed)
     tilt = dot(facing, across)
     steep = sqrt(maximum(1.0 - tilt * tilt, 0.0))
-    boldness = clip(1.0 - y_of(drawn) / maximum(s.amount, 0.001), 0.0, 1.0)
-    bold = (0.3 + 0.7 * boldness * boldness) * _ends(along, z_of(drawn))
+    bold = _boldness(y_of(drawn), s.amount, _ends(along, z_of(drawn)))
     away = (x - cell - (0.1 + 0.8 * x_of(drawn))) / (s.width * maximum(bold * steep, 0.02))
-    there = less(y_of(drawn), s.amount) * between(steep, 0.2, 0.4) * clip(4.0 * bold, 0.0, 1.0)
-    line = clip(1.4 - 1.4 * absolute(away), 0.0, 1.0) * there
-    return line, s.depth * (0.6 + 0.4 * bold) * line * clip(away, -1.0, 1.0), to_world(builder, across)
+    line, rise = _groove(away, less(y_of(drawn), s.amount) * between(steep, 0.2, 0.4), bold, s.depth)
+    return line, rise, to_world(builder, across)
+
+
+@part("Boldness")
+def _boldness(drawn, amount, ends):
+    """Width of a scratch next to the widest: most are thin, and all taper to their ends."""
+    left = clip(1.0 - drawn / maximum(amount, 0.001), 0.0, 1.0)
+    return (0.3 + 0.7 * left * left) * ends
+
+
+@part("Groove", "line", "rise")
+def _groove(away, there, bold, depth):
+    """(1 in the groove, how far it tilts the surface) at this distance from its middle, in half its width."""
+    line = clip(1.4 - 1.4 * absolute(away), 0.0, 1.0) * there * clip(4.0 * bold, 0.0, 1.0)
+    return line, depth * (0.6 + 0.4 * bold) * line * clip(away, -1.0, 1.0)
 
 
 @part("Ends of a Scratch")

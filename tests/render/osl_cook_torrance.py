@@ -228,7 +228,7 @@ FORMULAS = {
     "tinted(float, float, float, output float, output float)": (
         fresnel.tinted, grid((0.2, 0.9, 1.5, 3.0), (0.0, 1.0, 2.0, 4.0), (0.0, 0.3, 0.9, 1.0))),
     "of_slope(float, float, float, float)": (
-        lambda m, a, b, c: of_slope(m, (a, b, c)), grid(SLOPES, (-2.0, 0.5), (-3.0, 1.0), (0.0, 2.0))),
+        of_slope, grid(SLOPES, (-2.0, 0.5), (-3.0, 1.0), (0.0, 2.0))),
     "v_cavity_lobe(float, float, output float, output float, output float)": (
         v_cavity_lobe, grid((0.0, 0.3, 0.7, 0.9, 1.0), SLOPES)),
     "unit_tangent(vector, vector, float)": (unit_tangent, towards_and_turns()),

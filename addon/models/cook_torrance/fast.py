@@ -11,6 +11,8 @@ the group F82 has the same sockets; F0 and F82 tint are worked out from n and k,
 and the Metallic BSDF interpolates between them.
 """
 
+from types import SimpleNamespace
+
 from ...operands import clip, less, part, sqrt, where
 from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, tinted
 from ...reflectance.slopes import along_across, elliptic_gaussian_c
@@ -73,21 +75,31 @@ def _slope(builder, m, specular, w, gaussian, published, gaussian_c, seen, surfa
     """
     anisotropy = surface["Anisotropy"]
     roughness, weight, leaning = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy), sqrt(m))
-    with builder.frame("Anisotropy"):
-        # Across the plane of N and V where the surface has none of its own.
-        is_elliptic = less(0.0, anisotropy)
-        surface = {**surface, "Anisotropy": where(is_elliptic, anisotropy, leaning),
-                   "Tangent": where(is_elliptic, surface["Tangent"], seen.beside)}
-    with builder.frame("Half the share"):
-        share = (0.5 * (specular * w)) * weight
-        printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
-        # In the published scale the printed c takes the place of the one that normalises.
-        share_gaussian = share * (gaussian * (1.0 + published * (printed - 1.0)))
-        lobes = [(share * (1.0 - gaussian), roughness)]
+    leant = _leant(anisotropy, surface["Tangent"], leaning, seen.beside)
+    surface = {**surface, "Anisotropy": leant.anisotropy, "Tangent": leant.tangent}
+    share, share_gaussian = _shares(m, specular, w * weight, gaussian, published, gaussian_c, anisotropy)
+    lobes = [(share, roughness)]
     with builder.frame("Three lobes"):
         lobes += [(share_gaussian * w, sqrt(slope / m) * roughness) for w, slope in gaussian_lobes(m)]
     lobe = part(f"Beckmann Lobe{OF_KIND[fresnel_type]}")(_beckmann)
     return builder.add_shaders(*[lobe(builder, half, rough, surface, fresnel_type) for half, rough in lobes])
+
+
+@part("Leant")
+def _leant(anisotropy, tangent, leaning, beside):
+    """The lobe's anisotropy and tangent: the surface's own, or where it has none across the plane of N and V."""
+    is_elliptic = less(0.0, anisotropy)
+    return SimpleNamespace(anisotropy=where(is_elliptic, anisotropy, leaning),
+                           tangent=where(is_elliptic, tangent, beside))
+
+
+@part("Half the Share", "Beckmann", "Gaussian")
+def _shares(m, specular, w, gaussian, published, gaussian_c, anisotropy):
+    """Half of what the lobe of Beckmann's D carries, and of what the lobes of the Gaussian do."""
+    share = 0.5 * (specular * w)
+    printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
+    # In the published scale the printed c takes the place of the one that normalises.
+    return share * (1.0 - gaussian), share * (gaussian * (1.0 + published * (printed - 1.0)))
 
 
 def _beckmann(builder, half, roughness, surface, fresnel_type):

@@ -85,21 +85,21 @@ def v_cavity_lobe(sine, m, roughness=1.0):
     held, m2 = minimum(m, ROUGHEST_FITTED), m * m
     q = m2 / ((8.0 / (1.0 + sine) - 4.0) + m2)
     # Multiplied into what a material keeps constant, √m costs the renderer nothing.
-    widened = roughness * (1.0 + of_slope(held, WIDENED[0]))
-    higher = [roughness * of_slope(held, factors) for factors in WIDENED[1:]]
-    weight = [of_slope(held, factors) for factors in WEIGHT]
+    widened = roughness * (1.0 + of_slope(held, *WIDENED[0]))
+    higher = [roughness * of_slope(held, *factors) for factors in WIDENED[1:]]
+    weight = [of_slope(held, *factors) for factors in WEIGHT]
     upright = LEANING[1] * ((held * held) * (held * held))
     return (widened + q * _polynomial(q, higher), (1.0 + weight[0]) + q * _polynomial(q, weight[1:]),
             sine * (upright + q * (LEANING[0] * (q * q) - upright)))
 
 
-def of_slope(m, factors):
-    """m² (a + b m + c m²), factors a, b and c.
+@part("m² (a + b m + c m²)")
+def of_slope(m, a, b, c):
+    """m² (a + b m + c m²).
 
-    >>> round(float(of_slope(0.5, (1.0, 2.0, 4.0))), 4)
+    >>> round(float(of_slope(0.5, 1.0, 2.0, 4.0)), 4)
     0.75
     """
-    a, b, c = factors
     return (m * m) * (a + m * (b + c * m))
 
 
