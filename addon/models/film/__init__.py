@@ -22,9 +22,10 @@ def _look(parameters, place=None):
 
 
 def _work_ahead(resolved, viewing, progress):
-    from .tables import table_of
+    from .tables import table_of, track_of
     stated = resolved.preset.parameters
     table_of(stated["stack"], viewing, own=stated.get("own_layers", ""), progress=progress)
+    track_of(stated["stack"], viewing, own=stated.get("own_layers", ""))
 
 
 def _no_longer(parameters, baked):
