@@ -20,8 +20,9 @@ if TYPE_CHECKING:
     from .measured import Fit
     from .models.record import Record
 
-__all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake", "create_fresnel_ramp", "create_material",
-           "export", "fit", "principled_twin", "ready_for_export", "rebake", "record_of", "switch_realisation"]
+__all__ = ["FINISHES", "MODELS", "REALISATIONS", "apply_finish", "bake", "common_face", "create_fresnel_ramp",
+           "create_material", "export", "fit", "principled_twin", "ready_for_export", "rebake", "record_of",
+           "switch_realisation"]
 
 MODELS = models.names()
 FINISHES = finishes.names()
@@ -133,6 +134,25 @@ def apply_finish(material: bpy.types.Material, finish: str) -> None:
     record = materials.record_of(material)
     locked.require_editable(material)
     materials.write(material, finished(record, finish))
+
+
+def common_face(inside: bpy.types.Material, outside: bpy.types.Material | None,
+                name: str | None = None) -> bpy.types.Material:
+    """A new material for the face where two clear bodies touch, such as water and its glass, which is to be there once.
+
+    inside   material of the body that the face's normals point out of: the water's
+    outside  material of the other body, the glass's; None for air
+    name     of the new material; by default "Water against Window glass"
+
+    Raises FacetFilmError for a material that is not ours, or not clear.
+
+    >>> wall = api.common_face(water, glass)                                                   # doctest: +SKIP
+    """
+    from .blender.datablocks import materials
+    from .models.touching import touching
+    materials.require_name(name)
+    record = touching(materials.record_of(inside), outside and materials.record_of(outside))
+    return materials.create(record, name or f"{inside.name} against {outside.name if outside else 'air'}")
 
 
 def rebake(material: bpy.types.Material, viewing: Mapping[str, Any] | None = None) -> None:

@@ -54,15 +54,14 @@ def _material(preset, **parameters):
 
 def glass_of_water(job):
     """Three faces: glass against air, glass against water, water against air; the second one once."""
-    scene = clear_scene(job, 720, 960, 64)
+    scene = clear_scene(job, 1200, 1500, 24)
     glass = _material("low_iron_glass", scene_scale=0.05)
     dry = (*TUMBLER_OUTSIDE, *TUMBLER_LIP, TUMBLER_INSIDE[0])
     turned_object("Glass against air", dry, glass)
-    turned_object("Water against glass", TUMBLER_INSIDE[::-1],
-                  _material("water", name="Water in glass", outside=_ior(glass), scene_scale=0.05))
+    water = _material("water", scene_scale=0.05)
+    turned_object("Water against glass", TUMBLER_INSIDE[::-1], _common_face(water, glass))
     meniscus = ((0.83, LEVEL), (0.80, LEVEL - 0.02), (0.74, LEVEL - 0.028), (0.0, LEVEL - 0.03))
-    turned_object("Water against air", meniscus,
-                  _material("water", scene_scale=0.05))
+    turned_object("Water against air", meniscus, water)
     straw = _straw()
     straw.location = (0.1, 0.0, 0.33)
     add_cove(scene, (0.70, 0.72, 0.74), back=5.0)
@@ -75,9 +74,9 @@ def glass_of_water(job):
     job.save_scene("clear_water")
 
 
-def _ior(material):
+def _common_face(inside, outside):
     from addon import api
-    return api.record_of(material).parameters.ior
+    return api.common_face(inside, outside)
 
 
 def _straw():
@@ -105,34 +104,35 @@ def _straw():
 
 def cut_diamond(job):
     """A brilliant, Dispersive, under small lamps in dim surroundings, which make its fire."""
-    scene = clear_scene(job, 640, 480, 64)
+    scene = clear_scene(job, 1280, 960, 32)
     stone = mesh_object("Brilliant", *brilliant(), _material("diamond"))
     stone.rotation_euler = (np.radians(36.0), np.radians(8.0), 0.3)
     stone.location = (0.0, 0.0, 0.86)
-    add_cove(scene, (0.05, 0.055, 0.065), back=5.0)
-    set_sky(scene, (0.30, 0.31, 0.34), (0.10, 0.10, 0.12), (0.02, 0.02, 0.02))
+    add_cove(scene, (0.022, 0.025, 0.034), back=5.0)
+    set_sky(scene, (0.36, 0.38, 0.42), (0.05, 0.05, 0.06), (0.01, 0.01, 0.01))
     random = np.random.default_rng(8)
-    for turn in np.linspace(0.0, 2.0 * np.pi, 15)[:-1]:
-        height = random.uniform(0.25, 1.2)
+    for turn in np.linspace(0.0, 2.0 * np.pi, 23)[:-1]:
+        height = random.uniform(0.25, 1.25)
         place = 9.0 * np.array([np.cos(turn) * np.cos(height), np.sin(turn) * np.cos(height), np.sin(height)])
-        add_softbox(scene, tuple(place), (0.0, 0.0, 0.8), 1.1, 14.0)
-    add_softbox(scene, (-3.0, -5.0, 7.0), (0.0, 0.0, 0.8), (1.2, 1.2), 2.5)
-    add_camera(scene, (0.0, -6.6, 4.5), (0.0, 0.0, 0.86), 85.0)
+        add_softbox(scene, tuple(place), (0.0, 0.0, 0.8), 0.75, 26.0)
+    add_camera(scene, (0.0, -6.6, 4.5), (0.0, 0.0, 0.86), 98.0)
     job.write(job.render(scene, "brilliant"), "clear_brilliant.jpg")
     job.save_scene("clear_brilliant")
 
 
 def bottles(job):
     """Wine and beer bottles as solid walls before a bright ground."""
-    scene = clear_scene(job, 480, 640, 32)
-    for x, preset, size in ((-0.62, "bottle_green", 1.0), (0.62, "bottle_brown", 0.86)):
+    scene = clear_scene(job, 1200, 1350, 20)
+    for x, y, preset, size in ((-0.95, 0.1, "bottle_green", 1.0), (0.05, -0.45, "low_iron_glass", 0.8),
+                               (1.0, 0.15, "bottle_brown", 0.9)):
         bottle = turned_object(preset, BOTTLE_PROFILE, _material(preset, scene_scale=0.1))
-        bottle.location, bottle.scale = (x, 0.0, 0.0), (size,) * 3
-    add_cove(scene, (0.72, 0.70, 0.66), back=4.0)
+        bottle.location, bottle.scale = (x, y, 0.0), (size,) * 3
+    add_cove(scene, (0.80, 0.79, 0.76), back=4.0)
     set_sky(scene, (0.5, 0.5, 0.52), (0.35, 0.35, 0.36), (0.05, 0.05, 0.05))
-    add_softbox(scene, (-5.0, -2.0, 4.0), (0.0, 0.0, 1.6), (1.0, 5.0), 4.0)
-    add_softbox(scene, (5.0, 2.0, 5.0), (0.0, 0.0, 1.4), (3.0, 4.0), 2.0)
-    add_camera(scene, (0.0, -11.0, 2.6), (0.0, 0.0, 1.62), 85.0)
+    add_softbox(scene, (0.0, 2.5, 7.0), (0.0, 6.5, 1.2), (5.0, 2.0), 6.0)
+    add_softbox(scene, (-5.0, -2.0, 4.0), (0.0, 0.0, 1.6), (1.0, 5.0), 5.0)
+    add_softbox(scene, (5.0, 1.0, 4.0), (0.0, 0.0, 1.4), (0.7, 4.0), 4.0)
+    add_camera(scene, (0.0, -11.0, 2.5), (0.02, 0.0, 1.56), 92.0)
     job.write(job.render(scene, "bottles"), "clear_bottles.jpg")
     job.save_scene("clear_bottles")
 
@@ -142,8 +142,8 @@ PANES = ("window_glass", "green_glass", "bronze_glass", "cobalt_glass", "filter_
 
 def window(job):
     """Panes of six glasses, thin-walled, in the sun: straight shadows in the colours of the panes, without noise."""
-    scene = clear_scene(job, 800, 600, 24)
-    frame = matt("Frame", (0.33, 0.29, 0.25))
+    scene = clear_scene(job, 1280, 960, 16)
+    frame = matt("Frame", (0.62, 0.58, 0.52))
     for column in range(3):
         for row in range(2):
             corners = [(x, 0.0, z) for x, z in ((-0.58, -0.58), (0.58, -0.58), (0.58, 0.58), (-0.58, 0.58))]
@@ -154,17 +154,17 @@ def window(job):
         mesh_object("Bar", *box(0.1, 0.14, 2.6), frame).location = (x, 0.0, 1.475)
     for z in (0.225, 1.475, 2.725):
         mesh_object("Bar", *box(3.85, 0.14, 0.1), frame).location = (0.0, 0.0, z)
-    add_cove(scene, (0.68, 0.66, 0.63), back=60.0)
-    set_sky(scene, (0.16, 0.22, 0.34), (0.42, 0.44, 0.46), (0.05, 0.05, 0.05))
-    add_sun_of_solid_angle(scene, 7e-5, 2.2, (0.40, 0.9, 0.80))
-    add_camera(scene, (2.4, -10.0, 4.4), (-0.5, -1.3, 0.75), 55.0)
+    add_cove(scene, (0.80, 0.76, 0.70), back=60.0)
+    set_sky(scene, (0.10, 0.15, 0.26), (0.50, 0.55, 0.62), (0.05, 0.05, 0.05))
+    add_sun_of_solid_angle(scene, 7e-5, 3.2, (0.40, 0.9, 0.66))
+    add_camera(scene, (2.6, -10.0, 3.6), (-0.55, -1.2, 0.95), 56.0)
     job.write(job.render(scene, "window"), "clear_window.jpg")
     job.save_scene("clear_window")
 
 
 def bubbles(job):
     """Soap bubbles: the film model's sheet between air and air."""
-    scene = clear_scene(job, 560, 420, 16, exposure=0.8)
+    scene = clear_scene(job, 1280, 960, 12, exposure=0.8)
     bubble = _material("soap_bubble")
     for place, size in (((-0.75, 0.0, 1.35), 1.0), ((0.95, 0.5, 1.9), 0.55), ((0.75, -0.7, 0.75), 0.42)):
         ball = turned_object("Bubble", _circle(), bubble, segments=96, points_between=2)

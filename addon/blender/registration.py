@@ -13,6 +13,7 @@ from .operators import (
     bake,
     check,
     choose,
+    common_face,
     export,
     finish,
     fit_brdf,
@@ -45,6 +46,7 @@ from .panels import layers as layers_panel
 __all__ = ["register", "unregister"]
 
 CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES, *bake.CLASSES, *realisation.CLASSES,
+           *common_face.CLASSES,
            *measurements.CLASSES, *fit_brdf.CLASSES, *export.CLASSES, *check.CLASSES, *rebake_all.CLASSES,
            *make_local.CLASSES, *match_space.CLASSES, *principled.CLASSES, *user_presets.CLASSES, *update.CLASSES,
            *asset_library.CLASSES, *finish.CLASSES, *add_group.CLASSES, *apply_to_node.CLASSES, *verify.CLASSES,

@@ -164,6 +164,8 @@ class Model:
     refracts     whether light is bent by its materials, which EEVEE has to be told
     sheet        function(parameters) -> whether a material is one sheet that light goes straight through, which EEVEE
                  has to be told, too
+    index, index_outside  of clear bodies the parameters that are the index of refraction inside, and of what a face is
+                  against
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
     own_data      the parameter that holds the user's own measurements which those words name, as JSON; or ""
     picture       function(parameters, viewing options) -> the Picture of its pictured groups
@@ -198,6 +200,8 @@ class Model:
     measured: bool = False
     refracts: bool = False
     sheet: Callable = lambda parameters: False
+    index: str = ""
+    index_outside: str = ""
     made_of: str = ""
     own_data: str = ""
     picture: Callable | None = None

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from addon import api
 from addon.verify import scenes
 from tools import compare_clear as compare
 from tools.clear_scenes import SCENES
@@ -43,6 +44,20 @@ def test_water_in_a_glass_is_one_common_face():
     reference = REFERENCE["water in a glass"]
     picture = compare.water_in_a_glass(reference.shape[1], 512)
     assert compare.column_error(picture, reference) <= compare.MOST_COLUMN
+
+
+def test_a_frosted_ball_has_its_lamps_once():
+    """Whether shadows go straight or not; Mitsuba's roughdielectric of the same slope gives the mean."""
+    import mitsuba
+
+    from tools import compare_rough_glass
+    mitsuba.set_variant("scalar_rgb")
+    slope, index = 0.35, 2.417
+    expected = compare_rough_glass.mitsuba_ball(slope, index, 1, samples=64).mean()
+    for straight in (0.0, 1.0):
+        scene = compare.cycles_scene("ball", lambda *_, s=straight: api.create_material(
+            "clear", realisation="fast", roughness=slope**0.5, ior=index, see_through=s), 32, 64)
+        assert scenes.render(scene, 1).mean() == pytest.approx(expected, rel=0.03)
 
 
 def test_mitsuba_still_renders_what_is_recorded():

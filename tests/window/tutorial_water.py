@@ -25,7 +25,7 @@ def session():
     step("the snippet makes the three meshes, with their materials")
     text = (hands.FOLDER / "glass_of_water.md").read_text(encoding="utf-8")
     exec(re.search(r"```python\n(.*?)```", text, re.S).group(1), {})
-    assert is_near(outside_of("Wall"), 1.52) and is_near(outside_of("Glass"), 1.0)
+    assert is_near(outside_of("Wall"), ior_of("Glass")) and is_near(outside_of("Glass"), 1.0)
     for name, _ in BY_HAND:
         bpy.data.objects[name].data.materials.clear()
     with within(view):
@@ -55,19 +55,21 @@ def session():
         yield 1.0
     assert len({bpy.data.objects[name].active_material for name, _ in BY_HAND}) == 3
 
-    step("type what the wall is against")
+    step("choose what the wall is against")
+    picture("wall_top")
     with within(properties):
         bpy.ops.view2d.scroll_down(page=True)
     yield 1.0
-    field = yield from find(properties, outside_path(), across=(0.75,))
+    picture("wall_scrolled")
+    field = yield from find(properties, "facet_film.touch", across=(0.6,))
     picture("wall_before")
-    hands.move(*field)
+    yield from click(*field)
+    yield 1.0
+    picture("wall_menu")
     for _ in range(2):
-        yield from click(*field)
-    yield from key("A", field, ctrl=True)
-    yield from write("1.52", field)
+        yield from key("DOWN_ARROW", field)
     yield from key("RET", field)
-    yield from until(lambda: is_near(outside_of("Wall"), 1.52), "outside the wall there is glass")
+    yield from until(lambda: is_near(outside_of("Wall"), ior_of("Glass")), "outside the wall there is glass")
     yield 4.0
     picture("wall")
 
@@ -84,18 +86,20 @@ def is_near(value, wanted):
     return abs(value - wanted) < 1e-5
 
 
+def parameters_of(name):
+    """Of an object's material."""
+    from bl_ext.user_default.facet_film.addon import api
+    return api.record_of(bpy.data.objects[name].active_material).parameters
+
+
 def outside_of(name):
     """Outside IOR of an object's material."""
-    from bl_ext.user_default.facet_film.addon import api
-    return api.record_of(bpy.data.objects[name].active_material).parameters.outside
+    return parameters_of(name).outside
 
 
-def outside_path():
-    """How Blender calls the value of that socket."""
-    nodes = bpy.data.objects["Wall"].active_material.node_tree.nodes
-    node = next(node for node in nodes if node.bl_idname == "ShaderNodeGroup")
-    number = next(number for number, socket in enumerate(node.inputs) if socket.name == "Outside IOR")
-    return f'nodes["{node.name}"].inputs[{number}].default_value'
+def ior_of(name):
+    """IOR of an object's material."""
+    return parameters_of(name).ior
 
 
 hands.play(session)

@@ -11,7 +11,8 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ..datablocks.locked import is_editable, why_locked
 from ..datablocks.materials import baked_of, our_node
 
-__all__ = ["OnObjects", "Put", "TO", "active_material", "put", "put_in", "put_said", "said_of", "why_not", "why_not_on"]
+__all__ = ["OnObjects", "Put", "TO", "active_material", "put", "put_in", "put_said", "said_of", "slot_for_faces",
+           "to_faces", "why_not", "why_not_on"]
 
 SLOT, NEW_SLOT, ALL_SLOTS, IN_PLACE = "SLOT", "NEW_SLOT", "ALL_SLOTS", "IN_PLACE"
 TO = (
@@ -95,12 +96,23 @@ def _slots(target, to):
     """[(object, number)] of an object's slots, one made where there is none or a new one is asked."""
     if to == ALL_SLOTS and target.material_slots:
         return [(target, number) for number in range(len(target.material_slots))]
+    if to == NEW_SLOT and to_faces(target):
+        return [(target, slot_for_faces(target))]
     if to == NEW_SLOT or not target.material_slots:
-        target.data.materials.append(None)
-        target.active_material_index = len(target.material_slots) - 1
-        if to == NEW_SLOT and to_faces(target):
-            _assign_to_faces(target)
+        _new_slot(target)
     return [(target, target.active_material_index)]
+
+
+def slot_for_faces(target):
+    """Number of a new slot, which the selected faces of a mesh in Edit Mode have now."""
+    _new_slot(target)
+    _assign_to_faces(target)
+    return target.active_material_index
+
+
+def _new_slot(target):
+    target.data.materials.append(None)
+    target.active_material_index = len(target.material_slots) - 1
 
 
 def _assign_to_faces(target):

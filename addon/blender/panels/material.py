@@ -1,11 +1,13 @@
 """The Facet & Film panel in the Material properties: how the material renders, and its parameters."""
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 
 from ...models.realisations import REALISATIONS
 from ..datablocks.locked import why_locked
 from ..datablocks.materials import model_of, our_node, realisation_of
 from ..missing import shown_name, what_is_missing
+from ..operators.common_face import is_clear, shown_outside
 from ..operators.user_presets import draw_header
 from .card import takes_materials
 from .drawing import draw_parameters, draw_sentence
@@ -59,6 +61,9 @@ def draw_state(layout, context, material):
         if REALISATIONS[realisation].osl and context.scene.render.engine == "CYCLES":
             layout.prop(context.scene.cycles, "shading_system")
     _draw_realisations(layout, model_of(material), realisation)
+    if is_clear(material):
+        against = iface_("Against: {:s}").format(shown_outside(material))
+        layout.operator_menu_enum("facet_film.touch", "outside", text=against, translate=False)
 
 
 def _draw_realisations(layout, model, current):

@@ -14,8 +14,8 @@ def draw_in_header(self, context):
         self.layout.operator("facet_film.choose", text="", icon="MATERIAL")
 
 
-def draw_in_menu(self, _context):
-    """Two entries: all pictures, and the search."""
+def draw_in_menu(self, context):
+    """All pictures, the search, and in Object Mode the common face of two bodies."""
     if not preferences().in_menus:
         return
     layout = self.layout
@@ -23,6 +23,8 @@ def draw_in_menu(self, _context):
     layout.operator_context = "INVOKE_DEFAULT"
     layout.operator("facet_film.choose", icon="MATERIAL")
     layout.operator("facet_film.search", icon="VIEWZOOM")
+    if context.mode == "OBJECT":
+        layout.operator("facet_film.common_face", icon="SELECT_INTERSECT")
 
 
 def _shades(space):

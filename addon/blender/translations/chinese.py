@@ -83,6 +83,12 @@ TEXTS = {
         "添加 Facet & Film 节点组；文件中已有的会被复用",
     "Add the materials and node groups to the Asset Browser, as a library of your preferences":
         "将材质和节点组作为偏好设置中的资产库添加到资产浏览器",
+    "Against":
+        "相邻",
+    "Against: {:s}":
+        "相邻：{:s}",
+    "Air":
+        "空气",
     "All Slots":
         "所有槽",
     "All materials of Facet & Film in this file are in its working space":
@@ -206,6 +212,8 @@ TEXTS = {
         "与测量值核对",
     "Choose a Material":
         "选择材质",
+    "Choose a clear material first, such as water: it is what the face's normals point out of":
+        "请先选择透明材质，例如水：面的法线从它指向外",
     "Choose a file: here stands what it is read as":
         "选择文件：此处显示它被读作什么",
     "Choose a material by its picture, above":
@@ -228,6 +236,8 @@ TEXTS = {
         "颜色随角度变化：cos_theta, r, g, b",
     "Columns":
         "列",
+    "Common Face of Two Bodies":
+        "两个物体的公共面",
     "Compare Measurements":
         "比较测量值",
     "Concentration":
@@ -324,6 +334,8 @@ TEXTS = {
         "F82 色调",
     "F82 tint":
         "F82 色调",
+    "Face Is Against":
+        "面的另一侧",
     "Facet & Film Material...":
         "Facet & Film 材质...",
     "File":
@@ -428,6 +440,8 @@ TEXTS = {
         "图像行数",
     "Import Measurement":
         "导入测量数据",
+    "In Object Mode select two meshes: the glass, and then the water":
+        "在物体模式下选择两个网格：先选玻璃，再选水",
     "In Place":
         "原位",
     "Inside, unchanged":
@@ -495,6 +509,8 @@ TEXTS = {
     "Make a material of one Principled BSDF that comes closest to this one, and put it in its place: for "
     "baking textures, for other engines and exporters. The material itself stays in the file":
         "创建一个由单个原理化 BSDF 构成、最接近此材质的材质，并放到其位置：用于烘焙纹理、其他引擎和导出器。原材质保留在文件中",
+    "Make one face of two clear bodies that touch, as water does in a glass. Select the glass, then the water: the faces of the water on the glass get their material, and the glass's below them go":
+        "把相接触的两个透明物体（如杯中的水）的面合为一个。先选玻璃，再选水：水贴着玻璃的面得到公共面材质，其下玻璃的面被删除",
     "Make the active material itself over, wherever it is used":
         "直接改造活动材质，无论它用在何处",
     "Make the active material slot the material that you saved":
@@ -535,6 +551,8 @@ TEXTS = {
         "新名称",
     "New Slot":
         "新槽",
+    "No face of {:s} lies on {:s} with its normal the other way: duplicate the wet faces of the one, flip their normals, and close them to the other":
+        "{:s} 没有法线相反且贴在 {:s} 上的面：请复制其中一个的接触面，翻转法线，再封闭成另一个",
     "Nodes updated: {:d}":
         "已更新节点：{:d}",
     "Noise Detail":
@@ -665,6 +683,8 @@ TEXTS = {
         "另存为预设",
     "Save the active material under a name of your own, or delete a saved one":
         "以自定义名称保存活动材质，或删除已保存的材质",
+    "Say what this face of a clear body is against: air, or another clear material, as water in a glass is. In Edit Mode the selected faces get a material of their own":
+        "指定透明物体的这个面与什么相邻：空气，或另一种透明材质，如杯中的水。在编辑模式下，所选面得到各自的材质",
     "Scale":
         "缩放",
     "Scene Scale":
@@ -689,6 +709,8 @@ TEXTS = {
         "请选择 Facet & Film 节点组，或添加：添加，Facet & Film",
     "Select an object first: the material goes into its active material slot":
         "请先选择一个物体：材质会放入其活动材质槽",
+    "Select the object whose face it is":
+        "请选择该面所属的物体",
     "Selected Node":
         "所选节点",
     "Several slopes become one of the same rms.":
@@ -861,6 +883,8 @@ TEXTS = {
         "已有名为 {:s} 的预设",
     "There is no material of Facet & Film called {name!r}.":
         "Facet & Film 中没有名为 {name!r} 的材质。",
+    "There is no material {material!r} in this file any more.":
+        "此文件中已没有材质 {material!r}。",
     "Thickness":
         "厚度",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -940,6 +964,8 @@ TEXTS = {
         "所有膜层之下的材料",
     "What is below all layers, without a thickness: a metal, a glass, air for a soap film":
         "所有膜层之下的材料，无厚度：金属、玻璃，肥皂膜则为空气",
+    "What is on the face's other side":
+        "面的另一侧是什么",
     "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
     "air or water.":
         "层堆外部的材料不得有吸收，而此材料的 k 高达 {k:.2g}；请选择透明材料，如空气或水。",
@@ -1136,6 +1162,8 @@ TEXTS = {
         "白光 LED，紫光加荧光粉，4070 K",
     "white fluorescent, 3450 K":
         "白色荧光灯，3450 K",
+    "{:d} lie below them in part: cut {:s} where the common face ends":
+        "{:d} 个面只是部分位于其下：请在公共面结束处切割 {:s}",
     "{:d} materials baked again":
         "已重新烘焙 {:d} 个材质",
     "{:d} objects":
@@ -1148,6 +1176,8 @@ TEXTS = {
         "{:s} 已由 {:s} 烘焙：拟合的最大 CIEDE2000 为 {:.2f}",
     "{:s} fitted, CIEDE2000 {:.2f} on average: {:s}":
         "{:s} 已拟合，CIEDE2000 平均 {:.2f}：{:s}",
+    "{:s} has no clear material: give it one first, such as glass or water":
+        "{:s} 没有透明材质：请先赋予一种，例如玻璃或水",
     "{:s} is linked: update it in {:s}":
         "{:s} 是链接的：请在 {:s} 中更新",
     "{:s} is the file's own now":
@@ -1170,6 +1200,8 @@ TEXTS = {
         "{:s}：版本 {:d}，现为 {:d}",
     "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":
         "{:s}：随角度平均为 {:.1f} CIEDE2000，相对于 {:s}",
+    "{:s}: {:d} faces of {:s}; {:d} faces of {:s} below them went":
+        "{:s}：{:d} 个面属于 {:s}；其下 {:d} 个面已从 {:s} 删除",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":
         "{dataset!r} 不是数据库中的数据集；请指定一个数据集或其中的材质。",
     "{file!r} cannot be written: {why}; name another place.":
@@ -1222,6 +1254,8 @@ TEXTS = {
         "{material} 只有在空气中的反射率：无法由此得出在其他介质中的反射率；请使用 n 和 k 的数据。",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} 链接自另一个文件：请先设为本地（物体，关系，设为本地）",
+    "{material} is no clear body: a common face is between two of them, such as water and glass.":
+        "{material} 不是透明物体：公共面位于两个透明物体之间，例如水和玻璃。",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} 不是 Facet & Film 的材质：请用 create_material() 或“烘焙光谱预设”创建。",
     "{material} is not made of what a text says: name a material of another model.":

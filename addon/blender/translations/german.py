@@ -85,6 +85,12 @@ TEXTS = {
         "Fügt eine Node-Gruppe von Facet & Film hinzu; eine schon vorhandene wird wieder verwendet",
     "Add the materials and node groups to the Asset Browser, as a library of your preferences":
         "Fügt die Materialien und Nodegruppen dem Asset-Browser hinzu, als Bibliothek in den Einstellungen",
+    "Against":
+        "Gegen",
+    "Against: {:s}":
+        "Gegen: {:s}",
+    "Air":
+        "Luft",
     "All Slots":
         "Alle Slots",
     "All materials of Facet & Film in this file are in its working space":
@@ -213,6 +219,8 @@ TEXTS = {
         "Mit einer Messung prüfen",
     "Choose a Material":
         "Material auswählen",
+    "Choose a clear material first, such as water: it is what the face's normals point out of":
+        "Zuerst ein klares Material wählen, etwa Wasser: aus ihm weisen die Normalen der Fläche heraus",
     "Choose a file: here stands what it is read as":
         "Eine Datei wählen: Hier steht, als was sie gelesen wird",
     "Choose a material by its picture, above":
@@ -235,6 +243,8 @@ TEXTS = {
         "Farbe über dem Winkel: cos_theta, r, g, b",
     "Columns":
         "Spalten",
+    "Common Face of Two Bodies":
+        "Gemeinsame Fläche zweier Körper",
     "Compare Measurements":
         "Messungen vergleichen",
     "Concentration":
@@ -331,6 +341,8 @@ TEXTS = {
         "F82-Tönung",
     "F82 tint":
         "F82-Tönung",
+    "Face Is Against":
+        "Fläche liegt an",
     "Facet & Film Material...":
         "Facet & Film: Material ...",
     "File":
@@ -435,6 +447,8 @@ TEXTS = {
         "Bildzeilen",
     "Import Measurement":
         "Messung importieren",
+    "In Object Mode select two meshes: the glass, and then the water":
+        "Im Objektmodus zwei Netze auswählen: das Glas, danach das Wasser",
     "In Place":
         "An Ort und Stelle",
     "Inside, unchanged":
@@ -504,6 +518,8 @@ TEXTS = {
         "Ein Material aus einem Principled BSDF machen, das diesem am nächsten kommt, und an seine Stelle "
         "setzen: zum Backen von Texturen, für andere Engines und Exporter. Das Material selbst bleibt in der "
         "Datei",
+    "Make one face of two clear bodies that touch, as water does in a glass. Select the glass, then the water: the faces of the water on the glass get their material, and the glass's below them go":
+        "Macht eine Fläche aus zweien, wo klare Körper sich berühren wie Wasser in einem Glas. Das Glas auswählen, dann das Wasser: die Flächen des Wassers am Glas bekommen ihr Material, die des Glases darunter verschwinden",
     "Make the active material itself over, wherever it is used":
         "Ändert das aktive Material selbst, wo immer es benutzt wird",
     "Make the active material slot the material that you saved":
@@ -545,6 +561,8 @@ TEXTS = {
         "Neuer Name",
     "New Slot":
         "Neuer Slot",
+    "No face of {:s} lies on {:s} with its normal the other way: duplicate the wet faces of the one, flip their normals, and close them to the other":
+        "Keine Fläche von {:s} liegt mit umgekehrter Normale auf {:s}: die nassen Flächen des einen verdoppeln, ihre Normalen umkehren und sie zum anderen schließen",
     "Nodes updated: {:d}":
         "Aktualisierte Nodes: {:d}",
     "Noise Detail":
@@ -678,6 +696,8 @@ TEXTS = {
         "Als Voreinstellung speichern",
     "Save the active material under a name of your own, or delete a saved one":
         "Speichert das aktive Material unter eigenem Namen oder löscht ein gespeichertes",
+    "Say what this face of a clear body is against: air, or another clear material, as water in a glass is. In Edit Mode the selected faces get a material of their own":
+        "Sagt, woran diese Fläche eines klaren Körpers liegt: an Luft oder an einem anderen klaren Material, wie Wasser in einem Glas. Im Bearbeitungsmodus bekommen die ausgewählten Flächen ein eigenes Material",
     "Scale":
         "Skalieren",
     "Scene Scale":
@@ -702,6 +722,8 @@ TEXTS = {
         "Eine Gruppe von Facet & Film auswählen oder hinzufügen: Hinzufügen, Facet & Film",
     "Select an object first: the material goes into its active material slot":
         "Zuerst ein Objekt auswählen: Das Material kommt in dessen aktiven Materialslot",
+    "Select the object whose face it is":
+        "Das Objekt auswählen, dessen Fläche es ist",
     "Selected Node":
         "Gewählter Node",
     "Several slopes become one of the same rms.":
@@ -878,6 +900,8 @@ TEXTS = {
         "Es gibt schon eine Voreinstellung namens {:s}",
     "There is no material of Facet & Film called {name!r}.":
         "Es gibt kein Material von Facet & Film namens {name!r}.",
+    "There is no material {material!r} in this file any more.":
+        "In dieser Datei gibt es das Material {material!r} nicht mehr.",
     "Thickness":
         "Dicke",
     "Thickness in nanometres of the oxide that a voltage grows on a metal":
@@ -959,6 +983,8 @@ TEXTS = {
         "Was unter allen Schichten liegt",
     "What is below all layers, without a thickness: a metal, a glass, air for a soap film":
         "Was unter allen Schichten liegt, ohne Dicke: ein Metall, ein Glas, Luft bei einer Seifenhaut",
+    "What is on the face's other side":
+        "Was auf der anderen Seite der Fläche ist",
     "What is outside a stack must not absorb, and this has k up to {k:.2g}; name something clear, such as "
     "air or water.":
         "Was außerhalb eines Stapels ist, darf nicht absorbieren, und dies hat k bis {k:.2g}; etwas Klares "
@@ -1156,6 +1182,8 @@ TEXTS = {
         "weiße LED, Violett mit Leuchtstoff, 4070 K",
     "white fluorescent, 3450 K":
         "Leuchtstofflampe, Weiß, 3450 K",
+    "{:d} lie below them in part: cut {:s} where the common face ends":
+        "{:d} liegen nur zum Teil darunter: {:s} dort schneiden, wo die gemeinsame Fläche endet",
     "{:d} materials baked again":
         "{:d} Materialien neu gebacken",
     "{:d} objects":
@@ -1168,6 +1196,8 @@ TEXTS = {
         "{:s} aus {:s} gebacken: größter CIEDE2000 der Anpassung {:.2f}",
     "{:s} fitted, CIEDE2000 {:.2f} on average: {:s}":
         "{:s} angepasst, CIEDE2000 im Mittel {:.2f}: {:s}",
+    "{:s} has no clear material: give it one first, such as glass or water":
+        "{:s} hat kein klares Material: zuerst eines geben, etwa Glas oder Wasser",
     "{:s} is linked: update it in {:s}":
         "{:s} ist verknüpft: in {:s} aktualisieren",
     "{:s} is the file's own now":
@@ -1190,6 +1220,8 @@ TEXTS = {
         "{:s}: Version {:d}, jetzt {:d}",
     "{:s}: {:.1f} CIEDE2000 from {:s} on average over the angle":
         "{:s}: im Mittel über den Winkel {:.1f} CIEDE2000 von {:s}",
+    "{:s}: {:d} faces of {:s}; {:d} faces of {:s} below them went":
+        "{:s}: {:d} Flächen von {:s}; {:d} Flächen von {:s} darunter sind fort",
     "{dataset!r} is no dataset of the database; name one, or a material of it.":
         "{dataset!r} ist kein Datensatz der Datenbank; einen nennen oder ein Material daraus.",
     "{file!r} cannot be written: {why}; name another place.":
@@ -1242,6 +1274,8 @@ TEXTS = {
         "Von {material} ist nur die Reflexion in Luft bekannt: Für ein anderes Medium folgt daraus keine; Daten mit n und k nehmen.",
     "{material} is linked from another file: make it local first (Object, Relations, Make Local)":
         "{material} ist aus einer anderen Datei verknüpft: erst lokal machen (Objekt, Relationen, Lokal machen)",
+    "{material} is no clear body: a common face is between two of them, such as water and glass.":
+        "{material} ist kein klarer Körper: eine gemeinsame Fläche liegt zwischen zweien, etwa Wasser und Glas.",
     "{material} is not a material of Facet & Film: make one with create_material() or Bake Spectral Preset.":
         "{material} ist kein Material von Facet & Film: eines mit create_material() oder Spektrale Voreinstellung backen machen.",
     "{material} is not made of what a text says: name a material of another model.":

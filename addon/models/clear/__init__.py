@@ -43,10 +43,10 @@ MODEL = Model(
     citation="M. Born, E. Wolf, Principles of Optics, 7th edition, 1999",
     parameters=Clear,
     groups=(
-        Group("clear_fast", "Clear Standard", 5, "fast.build",
+        Group("clear_fast", "Clear Standard", 6, "fast.build",
               "Glass, liquids and gems of one index of refraction, coloured by the way through them",
               stand_in="clear_eevee"),
-        Group("clear_dispersive", "Clear Dispersive", 6, "dispersive.build",
+        Group("clear_dispersive", "Clear Dispersive", 7, "dispersive.build",
               "Glass and gems with the colours of the rainbow, each refracted by its own index",
               stand_in="clear_eevee"),
         Group("clear_eevee", "Clear EEVEE", 3, "fast.build_eevee", "What EEVEE shows of clear materials",
@@ -65,5 +65,7 @@ MODEL = Model(
     standin=_standin,
     measured=True,
     refracts=True,
+    index="ior",
+    index_outside="outside",
     sheet=lambda parameters: parameters.walls == "thin",
 )

@@ -5,19 +5,16 @@ from ..parameters import add_inputs
 from .frosted import frosted
 from .parameters import TABLE
 from .polished import polished
-from .surfaces import given, mixed, sheet, with_straight_shadows
+from .surfaces import FROSTED, given, mixed, sheet, with_straight_shadows
 
 __all__ = ["build"]
-
-POLISHED = 1e-3
-"""Roughness below which a ray leaves as a mirror or a lens sends it, and a number with it."""
 
 
 def build(builder):
     """Build the group."""
     sockets = add_inputs(builder, TABLE, "dispersive")
     at = given(builder, sockets)
-    body = mixed(builder, less(sockets.roughness, POLISHED), frosted(builder, sockets, at),
-                 polished(builder, sockets, at))
+    body = mixed(builder, less(FROSTED, sockets.roughness), polished(builder, sockets, at),
+                 frosted(builder, sockets, at))
     solid = with_straight_shadows(builder, sockets, at, body)
     builder.output("BSDF", mixed(builder, sockets.thin, solid, sheet(builder, sockets, at)))

@@ -6,7 +6,10 @@ from ...operands import absolute, dot, less, maximum, minimum, part, where, wide
 from ...reflectance.transmission import cos_inside, slab_reflectance, slab_transmittance, straight_path, transmittance
 from .formulas import reflectance, relative_index, sigma_of
 
-__all__ = ["absorbed", "given", "sheet", "with_straight_shadows"]
+__all__ = ["FROSTED", "absorbed", "given", "sheet", "with_straight_shadows"]
+
+FROSTED = 1e-3
+"""Roughness above which a face scatters; below, a ray leaves as a mirror or a lens sends it."""
 
 
 def given(builder, sockets):
@@ -46,7 +49,9 @@ def sheet(builder, sockets, at):
 def with_straight_shadows(builder, sockets, at, closure):
     """The closure, but for shadow and diffuse rays: what passes goes straight on, dimmed by surface and body.
 
-    What the surface reflects of diffuse rays stays: under a ball much of the sky arrives so.
+    What the surface reflects of diffuse rays stays: under a ball much of the sky arrives so.  A frosted body stops the
+    shadow rays that begin in it: what it scatters inwards finds its lamps by the faces that it leaves through, and so
+    has none twice.
     """
     straight = straight_path(at.sigma, widen(_along(builder, at)), widen(at.back))
     with builder.frame("See-through shadows"):
@@ -57,6 +62,7 @@ def with_straight_shadows(builder, sockets, at, closure):
         mirror = builder.node("ShaderNodeBsdfAnisotropic", {
             "Color": r * where(at.back, straight, (1.0, 1.0, 1.0)), "Roughness": sockets.roughness,
             "Normal": at.normal}, distribution="BECKMANN")
+        shadow = shadow * (1.0 - less(FROSTED, sockets.roughness) * _began_inside(builder, at))
         return mixed(builder, sockets.see_through * maximum(shadow, diffuse), closure,
                      builder.add_shaders(through, mirror))
 
@@ -71,8 +77,13 @@ def _along(builder, at):
     with builder.frame("Place on a straight ray"):
         beyond = dot(builder.node("ShaderNodeNewGeometry", output="Position")
                      - builder.node("ShaderNodeObjectInfo", output="Location"), -1.0 * builder.incoming())
-        passed = builder.node("ShaderNodeLightPath", output="Transparent Depth")
-        return where(at.back * less(passed, 0.5), at.length, minimum(beyond, at.length))
+        return where(_began_inside(builder, at), at.length, minimum(beyond, at.length))
+
+
+def _began_inside(builder, at):
+    """1.0 at the first face of a straight ray that started in the body: it is a back face."""
+    passed = builder.node("ShaderNodeLightPath", output="Transparent Depth")
+    return at.back * less(passed, 0.5)
 
 
 def mixed(builder, share, closure, other):
