@@ -51,6 +51,11 @@ class FilmTrack:
     thicknesses_nm  ``(K,)``, even
     knots           ``(K, 8)``: see NUMBERS
     from_slope      rms slope from which it is closer than the tilted lobes, ``(K,)``
+
+    >>> knots = np.array([[2.0] + 7 * [1.0], [3.0] + 7 * [1.0]])
+    >>> track = FilmTrack(np.array([0.0, 100.0]), knots, np.array([0.1, 0.2]))
+    >>> float(track.at(50.0).index), round(float(track.from_slope_at(50.0)), 6)
+    (2.5, 0.15)
     """
 
     thicknesses_nm: np.ndarray
@@ -82,7 +87,7 @@ def native_colours(film, cos_theta, space):
 
     >>> label = NativeFilm(np.array(2.5), np.array(60.0), np.array([1.7, 1.9, 2.1]), np.array([1.9, 2.1, 2.3]))
     >>> native_colours(label, np.ones(1), "Rec.709").round(2).tolist()
-    [[0.18, 0.39, 0.53]]
+    [[0.32, 0.41, 0.52]]
     """
     return native_film(cos_theta, film, _sensitivities(space))
 

@@ -26,7 +26,11 @@ TINY = 1e-12
 
 
 class NativeFilm(NamedTuple):
-    """What the Metallic BSDF's sockets hold: index ``(...)``, thickness ``(...)`` in nm, n and k ``(..., 3)``."""
+    """What the Metallic BSDF's sockets hold: index ``(...)``, thickness ``(...)`` in nm, n and k ``(..., 3)``.
+
+    >>> NativeFilm(2.5, 60.0, (1.7, 1.9, 2.1), (1.9, 2.1, 2.3)).index
+    2.5
+    """
 
     index: np.ndarray
     thickness_nm: np.ndarray

@@ -19,6 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 import numpy as np  # noqa: E402
 
 from addon.bake import film_colours  # noqa: E402
+from addon.bake.film_choice import film_track  # noqa: E402
 from addon.bake.film_errors import reference_errors, standard_errors  # noqa: E402
 from addon.bake.film_table import COLUMNS, ROWS, film_table  # noqa: E402
 from addon.bake.reflected import Viewing  # noqa: E402
@@ -34,6 +35,8 @@ FILMS = (("TiO2 0-500 nm / Ti", 60.0), ("TiO2 0-500 nm / Ti", 120.0), ("SiO2 0-1
          ("Fe3O4 0-200 nm / Fe", 40.0), ("soap 5-1000 nm / air", 400.0))
 STANDARD = {0.1: 0.7, 0.2: 1.5}
 """Slope -> largest mean CIEDE2000 on the sphere."""
+ON_METAL, NATIVE, SLOPES = FILMS[:4], 1.0, (0.1, 0.2, 0.3, 0.5, 0.7, 1.0)
+"""Which are one film on metal or silicon, the same of Standard in Blender 5 on them, and the slopes that it is for."""
 
 
 def seconds(work, runs=3):
@@ -70,6 +73,14 @@ def main():
                       f"{found.furnace_mean:.2f} ({found.furnace_max:.2f})")
                 limit = STANDARD.get(m, np.inf) if name == "Standard" else 0.5
                 exceeded.extend([f"{name} at m {m:g}"] * (found.sphere_mean > limit))
+    for text, thickness in ON_METAL:
+        table = film_table(parse(text, load))
+        print(f"{text} at {thickness:g} nm in Blender 5")
+        track = film_track(table)
+        print(f"  seconds of the track: {seconds(lambda: film_track(table), 1):.2f}")
+        for m in SLOPES:
+            found = standard_errors(table, m, thickness, track)
+            say(f"Standard at m {m:g}, furnace {found.furnace_mean:.2f}, sphere", found.sphere_mean, NATIVE)
     print("exceeded: " + ", ".join(exceeded) if exceeded else "all within")
     return bool(exceeded)
 

@@ -37,7 +37,7 @@ def test_the_double_of_the_native_film_is_what_cycles_renders(index, thickness, 
         return
     seen = cosine > 0.2
     off = np.abs(picture[mask][seen] - native_colours(film, cosine[seen], "Rec.709"))
-    assert np.percentile(off, 95) < 0.01 and off.mean() < 0.002, (off.mean(), off.max())
+    assert np.percentile(off, 95) < 1e-3 and off.mean() < 2e-4, (off.mean(), off.max())
 
 
 def test_the_links_of_the_native_film_are_there_where_blender_takes_them():

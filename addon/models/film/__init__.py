@@ -22,9 +22,10 @@ def _look(parameters, place=None):
 
 
 def _work_ahead(resolved, viewing, progress):
-    from .tables import table_of
+    from .tables import table_of, track_of
     stated = resolved.preset.parameters
     table_of(stated["stack"], viewing, own=stated.get("own_layers", ""), progress=progress)
+    track_of(stated["stack"], viewing, own=stated.get("own_layers", ""))
 
 
 def _no_longer(parameters, baked):
@@ -81,7 +82,7 @@ MODEL = Model(
               stand_in="film_eevee", osl=True, pictured=True),
         Group("film_eevee", "Film EEVEE", 6, "fast.build_eevee",
               "Stacks of films by one native closure, for EEVEE", in_menu=False, pictured=True),
-        Group(THICKNESS_GROUP, "Film Thickness", 1, "thickness.build",
+        Group(THICKNESS_GROUP, "Film Thickness", 2, "thickness.build",
               "Thickness in nanometres that varies by noise, a gradient or a texture"),
         Group(ANODISING_GROUP, "Film Anodising", 1, "thickness.build_anodising",
               "Thickness in nanometres of the oxide that a voltage grows on a metal"),
