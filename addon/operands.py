@@ -18,7 +18,7 @@ import numpy as np
 
 __all__ = [
     "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
-    "minimum", "maximum", "clip", "fraction", "less", "where", "lookup", "lookup_three",
+    "minimum", "maximum", "clip", "fraction", "less", "where", "mix", "lookup", "lookup_three",
     "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
     "part", "term",
 ]
@@ -134,6 +134,15 @@ def where(condition, x, y):
     With nodes both sides are evaluated; neither may be infinite or NaN.
     """
     return _apply("where", lambda c, a, b: np.where(np.asarray(c) > 0.5, a, b), condition, x, y)
+
+
+def mix(share, x, y):
+    """This share of x, and the rest of y; with nodes neither is evaluated where the other is all of it.
+
+    >>> float(mix(0.25, 4.0, 8.0))
+    7.0
+    """
+    return _apply("where", lambda s, a, b: b + s * (np.asarray(a) - b), share, x, y)
 
 
 def lookup(x, knots, values):

@@ -82,7 +82,7 @@ MODEL = Model(
               stand_in="film_eevee", osl=True, pictured=True),
         Group("film_eevee", "Film EEVEE", 6, "fast.build_eevee",
               "Stacks of films by one native closure, for EEVEE", in_menu=False, pictured=True),
-        Group(THICKNESS_GROUP, "Film Thickness", 1, "thickness.build",
+        Group(THICKNESS_GROUP, "Film Thickness", 2, "thickness.build",
               "Thickness in nanometres that varies by noise, a gradient or a texture"),
         Group(ANODISING_GROUP, "Film Anodising", 1, "thickness.build_anodising",
               "Thickness in nanometres of the oxide that a voltage grows on a metal"),

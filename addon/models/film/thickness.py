@@ -1,6 +1,6 @@
 """Thickness as people have it: noise, a gradient or a texture between two thicknesses, volts, temperature and time."""
 
-from ...operands import clip, dot, less, sqrt, where, z_of
+from ...operands import clip, dot, less, mix, sqrt, where, z_of
 from ...spectra.thickness_laws import ANODISING, HEAT_TINTS
 from ..parameters import add_inputs
 from .parameters import ANODISING_GROUP, HEAT_TINT_GROUP, TABLE, THICKNESS_GROUP
@@ -22,12 +22,12 @@ def build(builder):
         noise = builder.node("ShaderNodeTexNoise", {
             "Vector": at, "Scale": sockets.noise_scale, "Detail": sockets.noise_detail}, "Fac")
         noise = clip(0.5 + SPREAD * (noise - 0.5), 0.0, 1.0)
-        field = noise + sockets.gradient * (clip(1.0 - z_of(at), 0.0, 1.0) - noise)
-        field = field + sockets.texture_share * (sockets.texture - field)
+        field = mix(sockets.gradient, clip(1.0 - z_of(at), 0.0, 1.0), noise)
+        field = mix(sockets.texture_share, sockets.texture, field)
     with builder.frame("Thickness"):
         even = least + (greatest - least) * field
         drained = sqrt(least * least + (greatest * greatest - least * least) * field)
-        builder.output("Thickness", even + sockets.drained * (drained - even), description="Thickness in nanometres")
+        builder.output("Thickness", mix(sockets.drained, drained, even), description="Thickness in nanometres")
     builder.output("Field", field, description="The field between 0 and 1")
 
 
