@@ -62,7 +62,7 @@ FINISHES = (
            "Chosen by eye", chosen=True, group="finish_hammered"),
     Finish("cast", "Cast", "The coarse, dull skin of a sand mould, with pits", ((0.25, 1.0),), "Chosen by eye",
            chosen=True, group="finish_cast"),
-    Finish("scratched", "Scratched", "Smooth, with fine scratches in all directions", ((0.05, 1.0),),
+    Finish("scratched", "Scratched", "Smooth, with deep scratches and hairlines in all directions", ((0.05, 1.0),),
            "Chosen by eye", chosen=True, group="finish_scratched"),
     Finish("smudged", "Smudged", "Smooth, with fingerprints and the marks of wiping", ((0.03, 1.0),),
            "Chosen by eye", chosen=True, group="finish_smudged"),

@@ -10,11 +10,14 @@ GROUPS = (
     Group("finish_brushed", "Brushed", 3, "brushed.build", "Parallel streaks, for Roughness, Normal and Tangent"),
     Group("finish_brushed_circular", "Brushed Circular", 3, "circular.build",
           "Streaks in circles, for Roughness, Normal and Tangent"),
-    Group("finish_sandblasted", "Sandblasted", 3, "sandblasted.build", "An even, fine grain, for Roughness and Normal"),
+    Group("finish_sandblasted", "Sandblasted", 4, "sandblasted.build",
+          "An even, fine grain, for Roughness, Normal and Diffuse Color"),
     Group("finish_hammered", "Hammered", 3, "hammered.build", "Shallow dimples, for Roughness and Normal"),
     Group("finish_cast", "Cast", 3, "cast.build", "The skin of a sand mould, for Roughness and Normal"),
-    Group("finish_scratched", "Scratched", 3, "scratched.build", "Fine scratches, for Roughness and Normal"),
-    Group("finish_smudged", "Smudged", 3, "smudged.build", "Fingerprints and wipe marks, for Roughness"),
+    Group("finish_scratched", "Scratched", 4, "scratched.build",
+          "Scratches and hairlines, for Roughness, Normal and Diffuse Color"),
+    Group("finish_smudged", "Smudged", 4, "smudged.build",
+          "Fingerprints and wipe marks, for Roughness and Diffuse Color"),
     Group("finish_worn_edges", "Worn Edges", 3, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
 )
 """Every node group of a finish."""

@@ -1,16 +1,21 @@
 """Where a finish's marks are, and along which direction: what all groups of finishes share."""
 
-from ..models.parameters import Direction, Number, Slider
-from ..operands import clip, cross, dot, length, less, normalize, part, vector, where
+from ..models.parameters import Colour, Direction, Number, Slider
+from ..operands import clip, cross, dot, length, less, normalize, part, vector, where, widen
 
-__all__ = ["COORDINATES", "NORMAL", "ROUGHNESS", "band", "between", "depth", "eased", "noise", "on_map",
-           "place", "scale", "tilted", "to_object", "to_world"]
+__all__ = ["COORDINATES", "DIFFUSE", "NORMAL", "ROUGHNESS", "band", "between", "depth", "eased", "noise", "on_map",
+           "place", "scale", "tilted", "to_object", "to_world", "whitened", "whitening"]
 
 NOTHING = 1e-12
+WHITE = (0.8, 0.8, 0.8)
+"""Albedo of what is broken into fine pieces."""
 
 ROUGHNESS = Number(
     name="roughness", socket="Roughness", default=0.3, low=0.0, high=1.0, subtype="FACTOR",
     tip="Mean roughness of the surface, which the marks vary; its square is the rms slope m of the facets")
+DIFFUSE = Colour(
+    name="diffuse", socket="Diffuse Color", default=(0.8, 0.8, 0.8), low=0.0, high=1.0,
+    tip="Colour beneath the surface of plastic and stone, which the marks make paler; a metal has none")
 NORMAL = Direction(
     name="normal", symbol="N", socket="Normal", tip="Shading normal; the surface's own where nothing is plugged in")
 COORDINATES = (
@@ -31,6 +36,12 @@ def scale(default, what):
 def depth(default, what):
     """The row of how strong they are."""
     return Slider(name="depth", socket="Depth", default=default, low=0.0, high=1.0, subtype="FACTOR", tip=what)
+
+
+def whitening(default):
+    """The row of how pale they are on plastic and stone, which scatter light where they are broken or greasy."""
+    return Slider(name="whitening", socket="Whitening", default=default, low=0.0, high=1.0, subtype="FACTOR",
+                  tip="How much paler the marks make plastic and stone; metals stay as they are")
 
 
 # --- Coordinates ---
@@ -96,6 +107,16 @@ def eased(x):
 def band(x, low, high):
     """The same with level ends."""
     return eased(between(x, low, high))
+
+
+def whitened(colour, share):
+    """A diffuse colour, and by this share white that scatters before light gets to what is coloured.
+
+    >>> import numpy as np
+    >>> whitened(np.array([0.0, 0.2, 0.8]), 0.5).round(3)
+    array([0.4, 0.5, 0.8])
+    """
+    return colour + (colour * -1.0 + WHITE) * widen(share)
 
 
 def tilted(normal, *slopes):

@@ -1,15 +1,16 @@
 """Sandblasted: an even, fine grain."""
 
 from ..models.parameters import add_inputs
-from .grain import DRIVES, output, uneven
-from .place import COORDINATES, NORMAL, ROUGHNESS, depth, noise, place, scale
+from . import grain
+from .place import COORDINATES, DIFFUSE, NORMAL, ROUGHNESS, band, depth, noise, place, scale, whitened, whitening
 
 __all__ = ["DRIVES", "TABLE", "build"]
 
+DRIVES = (*grain.DRIVES, "Diffuse Color")
 TABLE = (
-    ROUGHNESS, scale(45.0, "Grains"), depth(0.6, "How deep the grain is"),
-    uneven(0.3, "How much the roughness varies from place to place, as where the jet went over twice"),
-    *COORDINATES, NORMAL)
+    ROUGHNESS, DIFFUSE, scale(45.0, "Grains"), depth(0.6, "How deep the grain is"),
+    grain.uneven(0.3, "How much the roughness varies from place to place, as where the jet went over twice"),
+    whitening(0.25), *COORDINATES, NORMAL)
 
 
 def build(builder):
@@ -18,4 +19,6 @@ def build(builder):
     at = place(builder, s)
     with builder.frame("Grain"):
         height = noise(builder, at, s.scale, 3.0, 0.6)
-    output(builder, s, at, height, height, 0.8)
+    grain.output(builder, s, at, height, height, 0.8)
+    pale = whitened(s.diffuse, s.whitening * band(height, 0.35, 0.65))
+    builder.output("Diffuse Color", pale, "COLOR", description="Diffuse colour, paler on the grains")

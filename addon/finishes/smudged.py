@@ -2,20 +2,20 @@
 
 from ..models.parameters import Slider, add_inputs
 from ..operands import clip, dot, length, less, maximum, normalize, part, sin, vector, x_of, y_of, z_of
-from .place import COORDINATES, NORMAL, ROUGHNESS, band, noise, place, scale
+from .place import COORDINATES, DIFFUSE, NORMAL, ROUGHNESS, band, noise, place, scale, whitened, whitening
 
 __all__ = ["DRIVES", "TABLE", "build"]
 
-DRIVES = ("Roughness",)
+DRIVES = ("Roughness", "Diffuse Color")
 TABLE = (
-    ROUGHNESS, scale(2.2, "Fingerprints"),
+    ROUGHNESS, DIFFUSE, scale(2.2, "Fingerprints"),
     Slider(name="greasy", socket="Smudge Roughness", default=0.55, low=0.0, high=1.0, subtype="FACTOR",
            tip="Roughness where the surface is smudged"),
     Slider(name="prints", socket="Fingerprints", default=0.6, low=0.0, high=1.0, subtype="FACTOR",
            tip="How many fingerprints there are"),
     Slider(name="wiped", socket="Wipe Marks", default=0.6, low=0.0, high=1.0, subtype="FACTOR",
            tip="How much was wiped over"),
-    *COORDINATES, NORMAL)
+    whitening(0.12), *COORDINATES, NORMAL)
 
 RIDGES = 190.0
 """Of a fingerprint, in radians of their wave over the width of its cell."""
@@ -30,7 +30,9 @@ def build(builder):
         film = 0.3 * band(noise(builder, at, 0.7 * s.scale, 5.0, 0.6), 0.42, 0.7)
         mask = clip(maximum(marks, film), 0.0, 1.0)
         rough = s.roughness + (s.greasy - s.roughness) * mask
+        pale = whitened(s.diffuse, s.whitening * mask)
     builder.output("Roughness", clip(rough, 0.0, 1.0), description="Roughness, that of the smudges in them")
+    builder.output("Diffuse Color", pale, "COLOR", description="Diffuse colour, paler where the surface is smudged")
     builder.output("Mask", mask, description="1 where the surface is smudged")
 
 

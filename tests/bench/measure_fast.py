@@ -4,7 +4,7 @@
 
 A sphere of copper under a sharp sun at 60°: rms difference over rms, of pixels
 whose N·V is above 0.2, from the formula with the paper's V-cavity G; and the same
-of closures whose slope and weight do not follow N·V.
+of closures whose slope, weight and anisotropy do not follow N·V.
 """
 
 from importlib.metadata import version
@@ -21,7 +21,7 @@ def row(m, distribution):
     whole, mask = formula(towards, **parameters)
     if distribution == "gaussian":
         return (relative_rms(picture, whole, mask),)
-    plain, _ = formula(towards, closures=True, widened=False, weighed=False, **parameters)
+    plain, _ = formula(towards, closures={"widened": False, "weighed": False, "leaning": False}, slopes=[(m, 1.0)])
     return relative_rms(picture, whole, mask), relative_rms(plain, whole, mask)
 
 

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from addon.models.cook_torrance import gaussian_lobes, sampler
-from addon.models.cook_torrance.v_cavity_lobe import v_cavity_lobe
+from addon.models.cook_torrance.v_cavity_lobe import of_slope, v_cavity_lobe
 from addon.operands import arccos, rotate
 from addon.reflectance import fresnel, masking, sampling, slopes
 from addon.reflectance.directions import PI, facing, frame_along
@@ -227,7 +227,9 @@ FORMULAS = {
     "gaussian_c(float, float)": (slopes.elliptic_gaussian_c, grid(SLOPES, (0.05, 0.1, 0.5))),
     "tinted(float, float, float, output float, output float)": (
         fresnel.tinted, grid((0.2, 0.9, 1.5, 3.0), (0.0, 1.0, 2.0, 4.0), (0.0, 0.3, 0.9, 1.0))),
-    "v_cavity_lobe(float, float, output float, output float)": (
+    "of_slope(float, float, float, float)": (
+        of_slope, grid(SLOPES, (-2.0, 0.5), (-3.0, 1.0), (0.0, 2.0))),
+    "v_cavity_lobe(float, float, output float, output float, output float)": (
         v_cavity_lobe, grid((0.0, 0.3, 0.7, 0.9, 1.0), SLOPES)),
     "unit_tangent(vector, vector, float)": (unit_tangent, towards_and_turns()),
     "scale_of(float, float, int, float, float)": (

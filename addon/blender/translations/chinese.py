@@ -97,8 +97,8 @@ TEXTS = {
         "数量",
     "An even sheen without marks":
         "均匀的光泽，没有痕迹",
-    "An even, fine grain, for Roughness and Normal":
-        "均匀细腻的颗粒，用于粗糙度和法线",
+    "An even, fine grain, for Roughness, Normal and Diffuse Color":
+        "均匀细腻的颗粒，用于粗糙度、法线和漫射颜色",
     "Anisotropy":
         "各向异性",
     "Anisotropy is lost there.":
@@ -370,12 +370,10 @@ TEXTS = {
         "由实测膜层组成的薄膜，干净快速：首选",
     "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
         "按名称、化学式或任何别名查找材质，并赋予所选物体",
-    "Fine scratches, for Roughness and Normal":
-        "细划痕，用于粗糙度和法线",
     "Fingerprints":
         "指纹",
-    "Fingerprints and wipe marks, for Roughness":
-        "指纹和擦痕，用于粗糙度",
+    "Fingerprints and wipe marks, for Roughness and Diffuse Color":
+        "指纹和擦痕，用于粗糙度和漫射颜色",
     "Finish":
         "表面处理",
     "Finish: {:s}":
@@ -695,6 +693,8 @@ TEXTS = {
         "划痕粗糙度",
     "Scratched":
         "划痕",
+    "Scratches and hairlines, for Roughness, Normal and Diffuse Color":
+        "划痕和细纹，用于粗糙度、法线和漫射颜色",
     "Search":
         "搜索",
     "Search Facet & Film Materials":
@@ -743,8 +743,8 @@ TEXTS = {
         "小视场；显示器据此校准",
     "Smooth, with clear reflections that are soft at their edges":
         "光滑，反射清晰，边缘柔和",
-    "Smooth, with fine scratches in all directions":
-        "光滑，带有各方向的细划痕",
+    "Smooth, with deep scratches and hairlines in all directions":
+        "光滑，带有各方向的深划痕和细纹",
     "Smooth, with fingerprints and the marks of wiping":
         "光滑，带有指纹和擦痕",
     "Smudge Roughness":
@@ -1007,6 +1007,8 @@ TEXTS = {
         "由其构成的膜层",
     "Which material to apply":
         "要应用的材质",
+    "Whitening":
+        "泛白",
     "Width":
         "宽度",
     "Wipe Marks":

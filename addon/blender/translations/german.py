@@ -99,8 +99,8 @@ TEXTS = {
         "Menge",
     "An even sheen without marks":
         "Ein gleichmäßiger Glanz ohne Spuren",
-    "An even, fine grain, for Roughness and Normal":
-        "Ein gleichmäßiges, feines Korn, für Rauheit und Normale",
+    "An even, fine grain, for Roughness, Normal and Diffuse Color":
+        "Ein gleichmäßiges, feines Korn, für Rauheit, Normale und diffuse Farbe",
     "Anisotropy":
         "Anisotropie",
     "Anisotropy is lost there.":
@@ -377,12 +377,10 @@ TEXTS = {
         "Stapel gemessener dünner Schichten, rauscharm und schnell: die erste Wahl",
     "Find a material by its name, its formula or any other name for it, and put it on the selected objects":
         "Findet ein Material nach Namen, Formel oder jedem anderen Namen und gibt es den gewählten Objekten",
-    "Fine scratches, for Roughness and Normal":
-        "Feine Kratzer, für Rauheit und Normale",
     "Fingerprints":
         "Fingerabdrücke",
-    "Fingerprints and wipe marks, for Roughness":
-        "Fingerabdrücke und Wischspuren, für die Rauheit",
+    "Fingerprints and wipe marks, for Roughness and Diffuse Color":
+        "Fingerabdrücke und Wischspuren, für Rauheit und diffuse Farbe",
     "Finish":
         "Oberfläche",
     "Finish: {:s}":
@@ -708,6 +706,8 @@ TEXTS = {
         "Rauheit der Kratzer",
     "Scratched":
         "Zerkratzt",
+    "Scratches and hairlines, for Roughness, Normal and Diffuse Color":
+        "Kratzer und Haarlinien, für Rauheit, Normale und diffuse Farbe",
     "Search":
         "Suchen",
     "Search Facet & Film Materials":
@@ -756,8 +756,8 @@ TEXTS = {
         "Kleine Sehfelder; darauf sind Bildschirme kalibriert",
     "Smooth, with clear reflections that are soft at their edges":
         "Glatt, mit klaren Spiegelungen, deren Ränder weich sind",
-    "Smooth, with fine scratches in all directions":
-        "Glatt, mit feinen Kratzern in allen Richtungen",
+    "Smooth, with deep scratches and hairlines in all directions":
+        "Glatt, mit tiefen Kratzern und Haarlinien in allen Richtungen",
     "Smooth, with fingerprints and the marks of wiping":
         "Glatt, mit Fingerabdrücken und Wischspuren",
     "Smudge Roughness":
@@ -1028,6 +1028,8 @@ TEXTS = {
         "Welche Schicht daraus ist",
     "Which material to apply":
         "Welches Material angewandt wird",
+    "Whitening":
+        "Aufhellung",
     "Width":
         "Breite",
     "Wipe Marks":

@@ -2,14 +2,16 @@
 
 s * sum_j w_j Metallic(roughness sqrt(m_j)) + d * Diffuse is the 1982 model with
 Smith's G in place of the V-cavity G, since the Beckmann closure of roughness
-sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.  Roughness and
-weight of each closure follow N.V so that it comes next to the V-cavity's:
-see addon.models.cook_torrance.v_cavity_lobe.
+sqrt(m) has rms slope m and the Metallic BSDF evaluates F at V.H.  Roughness,
+weight and anisotropy of each closure follow N.V so that it comes next to the
+V-cavity's: see addon.models.cook_torrance.v_cavity_lobe.
 
 Blender 4.5's conductor Fresnel is far off where k is 0.  For dielectrics there
 the group F82 has the same sockets; F0 and F82 tint are worked out from n and k,
 and the Metallic BSDF interpolates between them.
 """
+
+from types import SimpleNamespace
 
 from ...operands import clip, less, part, sqrt, where
 from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, tinted
@@ -53,7 +55,7 @@ def _build(builder, fresnel_of):
         tangent = where(less(0.0, sockets.anisotropy), builder.tangent(sockets.tangent), (1.0, 0.0, 0.0))
     seen = seen_from(normal, builder.incoming(), tangent, sockets.rotation)
     surface = {**fresnel, "Normal": normal, "Tangent": tangent, "Anisotropy": sockets.anisotropy,
-               "Rotation": sockets.rotation}
+               "Rotation": where(less(0.0, sockets.anisotropy), sockets.rotation, 0.0)}
     slope = part(f"Slope{OF_KIND[fresnel_type]}")(_slope)
     lobes = [slope(builder, m, sockets.specular, w, sockets.gaussian, sockets.published, sockets.gaussian_c, seen,
                    surface, fresnel_type) for m, w in slope_operands(sockets)]
@@ -72,17 +74,32 @@ def _slope(builder, m, specular, w, gaussian, published, gaussian_c, seen, surfa
     surface  {socket: operand} of the Metallic BSDFs
     """
     anisotropy = surface["Anisotropy"]
-    roughness, weight = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy), sqrt(m))
-    with builder.frame("Half the share"):
-        share = (0.5 * (specular * w)) * weight
-        printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
-        # In the published scale the printed c takes the place of the one that normalises.
-        share_gaussian = share * (gaussian * (1.0 + published * (printed - 1.0)))
-        lobes = [(share * (1.0 - gaussian), roughness)]
+    roughness, weight, leaning = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy), sqrt(m))
+    leant = _leant(anisotropy, surface["Tangent"], leaning, seen.beside)
+    surface = {**surface, "Anisotropy": leant.anisotropy, "Tangent": leant.tangent}
+    share, share_gaussian = _shares(m, specular, w * weight, gaussian, published, gaussian_c, anisotropy)
+    lobes = [(share, roughness)]
     with builder.frame("Three lobes"):
         lobes += [(share_gaussian * w, sqrt(slope / m) * roughness) for w, slope in gaussian_lobes(m)]
     lobe = part(f"Beckmann Lobe{OF_KIND[fresnel_type]}")(_beckmann)
     return builder.add_shaders(*[lobe(builder, half, rough, surface, fresnel_type) for half, rough in lobes])
+
+
+@part("Leant")
+def _leant(anisotropy, tangent, leaning, beside):
+    """The lobe's anisotropy and tangent: the surface's own, or where it has none across the plane of N and V."""
+    is_elliptic = less(0.0, anisotropy)
+    return SimpleNamespace(anisotropy=where(is_elliptic, anisotropy, leaning),
+                           tangent=where(is_elliptic, tangent, beside))
+
+
+@part("Half the Share", "Beckmann", "Gaussian")
+def _shares(m, specular, w, gaussian, published, gaussian_c, anisotropy):
+    """Half of what the lobe of Beckmann's D carries, and of what the lobes of the Gaussian do."""
+    share = 0.5 * (specular * w)
+    printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
+    # In the published scale the printed c takes the place of the one that normalises.
+    return share * (1.0 - gaussian), share * (gaussian * (1.0 + published * (printed - 1.0)))
 
 
 def _beckmann(builder, half, roughness, surface, fresnel_type):
