@@ -64,27 +64,29 @@ def model_of_group(identifier):
     return _owners()[identifier][0] if identifier in _owners() else None
 
 
-def node_group(identifier, image=None, whole=None):
+def node_group(identifier, image=None, whole=None, known=None):
     """The group with this id in the current version, brought in where the file has none as we made it.
 
     image  that a pictured group shows; by default that of its model's default parameters
     whole  a group that is known to be as we made it
+    known  fingerprints of parts that were taken already
 
     A group that a user has edited is left alone and not reused.
     """
     model, group = _owners()[identifier]
+    known = {} if known is None else known
     if group.pictured:
         image = image or image_of(model.picture(model.parameters(), {}))
     ours = [tree for tree in bpy.data.node_groups if tree.get(ID_KEY) == identifier
             and tree.get(VERSION_KEY) == group.version and not tree.library]
     shown = [tree for tree in ours if not group.pictured or key_of(image_in(tree)) == key_of(image)]
-    same = [tree for tree in shown if not edited(tree)]
+    same = [tree for tree in shown if not edited(tree, known)]
     if same:
         return settled(_merged(same, group, image))
     if not group.pictured:
         return _brought(model, group, image)
-    like = whole if whole in ours else next((tree for tree in ours if not edited(tree)), None)
-    return _copied(like, image) if like else _brought(model, group, image)
+    like = whole if whole in ours else next((tree for tree in ours if not edited(tree, known)), None)
+    return _copied(like, image, known) if like else _brought(model, group, image)
 
 
 def _brought(model, group, image):
@@ -108,14 +110,14 @@ def settled(tree):
     return tree
 
 
-def _copied(like, image):
+def _copied(like, image, known):
     """A copy of a pictured group with another image, which also the groups in it have that are shown in its place."""
     tree = like.copy()
     put_image(tree, image)
     for node in tree.nodes:
         shown = group_of(group_id(getattr(node, "node_tree", None)))
         if shown is not None and shown.pictured:
-            node.node_tree = node_group(shown.identifier, image)
+            node.node_tree = node_group(shown.identifier, image, known=known)
     return tree
 
 
@@ -153,10 +155,13 @@ def _is_current(tree):
     return group is not None and is_editable(tree) and tree.get(VERSION_KEY) == group.version
 
 
-def edited(tree):
-    """Whether someone changed one of our groups since it was made."""
+def edited(tree, known=None):
+    """Whether someone changed one of our groups since it was made.
+
+    known  fingerprints of parts that were taken already
+    """
     if FINGERPRINT_KEY in tree:
-        return tree[FINGERPRINT_KEY] != fingerprint(tree)
+        return tree[FINGERPRINT_KEY] != fingerprint(tree, known)
     return tree.get(FINGERPRINT_KEY_0_1_0) != fingerprint_0_1_0(tree)
 
 
