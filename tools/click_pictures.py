@@ -21,7 +21,7 @@ PARTS = {
     "step_ring_1.png": ("tutorial_ring/search", (1324, 258, 1598, 330)),
     "step_ring_2.png": ("tutorial_ring/thickness", (1350, 606, 1598, 852)),
     "step_ring_3.png": ("tutorial_ring/volts", (240, 195, 1080, 675)),
-    "step_water_1.png": ("tutorial_water/wall", (1350, 232, 1598, 412)),
+    "step_water_1.png": ("tutorial_water/wall", (1350, 545, 1598, 725)),
 }
 """Name -> session and picture; left, top, right and bottom in pixels of a window of 1600 by 900."""
 

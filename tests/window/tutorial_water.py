@@ -13,6 +13,8 @@ from hands import area_of, click, find, key, middle_of, picture, step, until, wi
 
 BY_HAND = (("Glass", "low iron"), ("Surface", "water"), ("Wall", "water"))
 
+ROW = 26
+"""Pixels from a button to the one below."""
 MADE = {"Glass": "Clear glass, low iron", "Surface": "Water", "Wall": "Water"}
 
 
@@ -56,12 +58,11 @@ def session():
     assert len({bpy.data.objects[name].active_material for name, _ in BY_HAND}) == 3
 
     step("choose what the wall is against")
-    picture("wall_top")
     with within(properties):
         bpy.ops.view2d.scroll_down(page=True)
     yield 1.0
-    picture("wall_scrolled")
-    field = yield from find(properties, "facet_film.touch", across=(0.6,))
+    x, y = yield from find(properties, "facet_film.switch_realisation", across=(0.6,))
+    field = x, y - ROW  # of a menu Blender does not tell whose it is
     picture("wall_before")
     yield from click(*field)
     yield 1.0
