@@ -1,7 +1,7 @@
 """A track over thickness: what Blender's native film is set to, so that its colours over the angle come closest.
 
 The native film has one index, a metal of n and k a channel, and white light of
-equal energy: fed with what is on a film's label it is off by CIEDE2000 12.
+equal energy: fed with what is on a film's label it is off by CIEDE2000 1 to 20.
 Fed with eight numbers that are fitted to the spectrum's colours it follows
 them, and is evaluated at the V·H of every facet.  Knots are even in
 thickness, with straight lines between them; the fit sees the middles of these

@@ -64,6 +64,17 @@ def test_a_group_is_the_same_whether_its_links_are_there_or_wait():
     assert fingerprint(tree) != before
 
 
+def test_a_bake_settles_a_group_that_another_blender_wrote():
+    material = api.create_material("film", stack="TiO2 0-200 nm / Ti", roughness=0.6)
+    tree = materials.our_node(material).node_tree
+    newcomers.settle(tree, not compat.has_native_film())
+    share = next(node for node, _ in _waiting(tree) if node.bl_idname == "ShaderNodeMath")
+    assert share.inputs[0].is_linked != compat.has_native_film()
+    api.rebake(material)
+    assert materials.our_node(material).node_tree == tree
+    assert share.inputs[0].is_linked == compat.has_native_film()
+
+
 @pytest.mark.parametrize("roughness, changes", [(0.7, compat.has_native_film()), (0.2, False)])
 def test_a_rough_film_is_the_native_one_and_a_smooth_one_is_not(roughness, changes):
     """Taken apart, a rough film changes where Blender has a native film; a smooth one does not in any."""

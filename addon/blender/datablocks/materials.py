@@ -19,8 +19,10 @@ from .groups import (
     model_of_group,
     node_group,
     output_named,
+    settled,
     socket_named,
 )
+from .locked import is_editable
 from .pictures import image_in, image_of, key_of, sockets_of_image, values_of_image
 
 if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits for what is imported here
@@ -90,6 +92,8 @@ def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -
     image = image_of(model.picture(record.parameters, record.viewing)) if group.pictured else None
     if not _keeps(node.node_tree, group, image):
         _set_group(tree, node, node_group(record.group, image, whole=node.node_tree))
+    elif is_editable(node.node_tree):
+        settled(node.node_tree)  # which another Blender may have written
     values = {**model.written(record.parameters, record.realisation), **sockets_of_image(image_in(node.node_tree))}
     for name, value in values.items():
         socket_named(node, name).default_value = value
