@@ -250,19 +250,23 @@ class GroupBuilder:
         return self.add_shaders(scaled, scaled)
 
     def where_native(self, operand):
-        """A number in a Blender whose Metallic BSDF has a thin film of its own, 0 in others."""
-        node = self._new_node("ShaderNodeMath", {"operation": "ADD"}, "In this Blender")
-        node.inputs[0].default_value = node.inputs[1].default_value = 0.0
-        found = NodeOperand(self, "FLOAT", node.outputs[0])
-        self.feed_where_native(found, {node.inputs[0].identifier: operand})
-        return found
+        """A number in a Blender whose Metallic BSDF has a thin film of its own; 0 in others, whoever wrote the file.
+
+        Its Light Path has an output more, of 0 and above; where another Blender drops the link from that, −1 is left.
+        """
+        path = self._new_node("ShaderNodeLightPath", {}, "")
+        is_there = self._new_node("ShaderNodeMath", {"operation": "GREATER_THAN"}, "In this Blender")
+        given, least = is_there.inputs[:2]
+        given.default_value, least.default_value = -1.0, -0.5
+        newcomers.defer(is_there, given.identifier, path, newcomers.NEW_OUTPUT)
+        return operand * NodeOperand(self, "FLOAT", is_there.outputs[0])
 
     def feed_where_native(self, fed, inputs):
         """Feed inputs of a node, {identifier: operand}, in a Blender whose Metallic BSDF has a thin film of its own."""
         for identifier, operand in inputs.items():
             source = self._socket(operand, fed.source.node)
             self._products.pop(source.node.name, None)  # it stays, whatever it is linked to here
-            newcomers.defer(fed.source.node, identifier, source)
+            newcomers.defer(fed.source.node, identifier, source.node, source.identifier)
 
     @contextlib.contextmanager
     def frame(self, label):

@@ -7,14 +7,17 @@ the group is used.
 
 import json
 
-__all__ = ["KEY", "defer", "deferred", "settle"]
+__all__ = ["KEY", "NEW_OUTPUT", "defer", "deferred", "settle"]
 
 KEY = "facet_film_native"
 
+NEW_OUTPUT = "Portal Depth"
+"""Of the Light Path, in the Blenders with a native film."""
 
-def defer(node, identifier, source):
+
+def defer(node, identifier, source, output):
     """Note that an input of a node is to be fed by an output of another one where there is a native film."""
-    node[KEY] = json.dumps({**deferred(node), identifier: [source.node.name, source.identifier]})
+    node[KEY] = json.dumps({**deferred(node), identifier: [source.name, output]})
 
 
 def deferred(node):

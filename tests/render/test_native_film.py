@@ -60,19 +60,19 @@ def test_a_group_is_the_same_whether_its_links_are_there_or_wait():
     assert groups.node_group("film_fast") == tree  # which brings them back
     assert fingerprint(tree) == before
     node, identifier = next(iter(_waiting(tree)))
-    newcomers.defer(node, identifier, next(one for one in tree.nodes if one.outputs).outputs[0])
+    newcomers.defer(node, identifier, node, node.outputs[0].identifier)
     assert fingerprint(tree) != before
 
 
 def test_a_bake_settles_a_group_that_another_blender_wrote():
     material = api.create_material("film", stack="TiO2 0-200 nm / Ti", roughness=0.6)
     tree = materials.our_node(material).node_tree
-    newcomers.settle(tree, not compat.has_native_film())
-    share = next(node for node, _ in _waiting(tree) if node.bl_idname == "ShaderNodeMath")
-    assert share.inputs[0].is_linked != compat.has_native_film()
+    newcomers.settle(tree, False)
+    is_there = next(node for node, _ in _waiting(tree) if node.bl_idname == "ShaderNodeMath")
+    assert not is_there.inputs[0].is_linked
     api.rebake(material)
     assert materials.our_node(material).node_tree == tree
-    assert share.inputs[0].is_linked == compat.has_native_film()
+    assert is_there.inputs[0].is_linked == compat.has_native_film()
 
 
 @pytest.mark.parametrize("roughness, changes", [(0.7, compat.has_native_film()), (0.2, False)])

@@ -71,7 +71,7 @@ MODEL = Model(
              "stratifiés\", Annales de Physique 12(5), 1950, on the facets of R. L. Cook and K. E. Torrance, 1982",
     parameters=Film,
     groups=(
-        Group("film_fast", "Film Standard", 8, "fast.build",
+        Group("film_fast", "Film Standard", 9, "fast.build",
               "Films of measured layers, clean and fast: the one to take first",
               stand_in="film_eevee", pictured=True),
         Group("film_exact", "Film Reference", 9, "exact.build",
