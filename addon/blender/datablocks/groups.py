@@ -19,8 +19,8 @@ __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "fo
            "settled", "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
-"""The groups as tools/build_groups.py built them, appending one takes milliseconds, building one seconds;
-and of a file with several Blender reads them all."""
+"""The groups as tools/build_groups.py built them: appending one takes milliseconds, building one seconds; and of a file
+with several Blender reads them all."""
 
 EEVEE_OUTPUT = "EEVEE"
 VERSION_KEY = "facet_film_version"
