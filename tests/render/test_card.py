@@ -96,6 +96,8 @@ def test_menus_offer_the_pictures_and_the_search(cube):
     layout = Layout()
     menus.draw_in_menu(SimpleNamespace(layout=layout), None)
     assert layout.operators == ["facet_film.choose", "facet_film.search"]
+    menus.draw_in_object_menu(SimpleNamespace(layout=layout), None)
+    assert layout.operators[2:] == ["facet_film.choose", "facet_film.search", "facet_film.common_face"]
 
 
 def test_new_materials_render_as_the_preferences_say(cube, monkeypatch):

@@ -15,7 +15,7 @@ def draw_in_header(self, context):
 
 
 def draw_in_menu(self, context):
-    """All pictures, the search, and in Object Mode the common face of two bodies."""
+    """All pictures, and the search."""
     if not preferences().in_menus:
         return
     layout = self.layout
@@ -23,8 +23,13 @@ def draw_in_menu(self, context):
     layout.operator_context = "INVOKE_DEFAULT"
     layout.operator("facet_film.choose", icon="MATERIAL")
     layout.operator("facet_film.search", icon="VIEWZOOM")
-    if context.mode == "OBJECT":
-        layout.operator("facet_film.common_face", icon="SELECT_INTERSECT")
+
+
+def draw_in_object_menu(self, context):
+    """These, and the common face of two bodies."""
+    draw_in_menu(self, context)
+    if preferences().in_menus:
+        self.layout.operator("facet_film.common_face", icon="SELECT_INTERSECT")
 
 
 def _shades(space):
@@ -53,7 +58,7 @@ class FACET_FILM_PT_view3d(bpy.types.Panel):
 CLASSES = (FACET_FILM_PT_view3d,)
 ENTRIES = {
     "VIEW3D_HT_header": draw_in_header, "NODE_HT_header": draw_in_header,
-    "VIEW3D_MT_object_context_menu": draw_in_menu, "VIEW3D_MT_object": draw_in_menu,
+    "VIEW3D_MT_object_context_menu": draw_in_object_menu, "VIEW3D_MT_object": draw_in_object_menu,
     "VIEW3D_MT_edit_mesh_context_menu": draw_in_menu, "MATERIAL_MT_context_menu": draw_in_menu,
 }
 """A menu or header of Blender's -> what we add at its end."""
