@@ -151,9 +151,9 @@ def window(job):
                 PANES[3 * row + column], walls="thin", thickness=0.006, concentration=1.0))
             pane.location = (1.25 * (column - 1), 0.0, 0.85 + 1.25 * row)
     for x in (-1.875, -0.625, 0.625, 1.875):
-        mesh_object("Bar", *box(0.1, 0.14, 2.6), frame).location = (x, 0.0, 1.475)
+        mesh_object("Bar", *box(0.1, 0.15, 2.61), frame).location = (x, 0.0, 1.475)
     for z in (0.225, 1.475, 2.725):
-        mesh_object("Bar", *box(3.85, 0.14, 0.1), frame).location = (0.0, 0.0, z)
+        mesh_object("Bar", *box(3.84, 0.14, 0.1), frame).location = (0.0, 0.0, z)
     add_cove(scene, (0.80, 0.76, 0.70), back=60.0)
     set_sky(scene, (0.10, 0.15, 0.26), (0.50, 0.55, 0.62), (0.05, 0.05, 0.05))
     add_sun_of_solid_angle(scene, 7e-5, 3.2, (0.40, 0.9, 0.66))
