@@ -18,7 +18,7 @@ import numpy as np
 
 __all__ = [
     "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
-    "minimum", "maximum", "clip", "fraction", "less", "where", "mix", "lookup", "lookup_three",
+    "minimum", "maximum", "clip", "multiply_add", "fraction", "less", "where", "mix", "lookup", "lookup_three",
     "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
     "part", "term",
 ]
@@ -112,6 +112,11 @@ def maximum(x, *others):
 def clip(x, low, high):
     """x held to [low, high]."""
     return minimum(maximum(x, low), high)
+
+
+def multiply_add(x, y, z):
+    """x y + z, which of directions and colours is one node only where it is written so."""
+    return _apply("multiply_add", lambda a, b, c: a * b + c, x, y, z)
 
 
 def fraction(x):

@@ -34,7 +34,8 @@ MATH = {
     "less": "LESS_THAN", "log": "LOGARITHM", "multiply_add": "MULTIPLY_ADD", "fraction": "FRACT",
 }
 VECTOR_MATH = {name: MATH[name] for name in (
-    "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan")}
+    "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan",
+    "multiply_add")}
 VECTOR_TO_FLOAT = {"dot": "DOT_PRODUCT", "length": "LENGTH"}
 VECTOR_TO_VECTOR = {"cross": "CROSS_PRODUCT", "normalize": "NORMALIZE"}
 COMPONENT = {"x_of": "X", "y_of": "Y", "z_of": "Z"}
@@ -186,13 +187,25 @@ class GroupBuilder:
         return self.node("ShaderNodeNewGeometry", output="Incoming")
 
     def lookup(self, x, knots, values):
-        """A Float Curve of straight lines between knots."""
+        """A Float Curve of straight lines between knots; of a colour an RGB Curves of the same three."""
+        if is_vector(x):
+            return self._lookup_each(x, knots, values)
         key = ("lookup", self._key(x), tuple(knots), tuple(values))
         if key not in self._shared:
             node = self._new_node("ShaderNodeFloatCurve", {})
             set_knots(node.mapping, 0, knots, values)
             self.connect(socket_of(node.inputs, "Value"), x)
             self._shared[key] = NodeOperand(self, "FLOAT", node.outputs[0])
+        return self._shared[key]
+
+    def _lookup_each(self, x, knots, values):
+        key = ("lookup", self._key(x), tuple(knots), tuple(values))
+        if key not in self._shared:
+            node = self._new_node("ShaderNodeRGBCurve", {})
+            for channel in range(3):
+                set_knots(node.mapping, channel, knots, values)
+            self.connect(socket_of(node.inputs, "Color"), x)
+            self._shared[key] = NodeOperand(self, "VECTOR", node.outputs[0])
         return self._shared[key]
 
     def lookup_three(self, x, knots, values):

@@ -1,12 +1,15 @@
-"""The fast layered RGB lobes against quadrature of the formula: albedo, peaks, no negative colour."""
+"""The native lobes of Layered RGB Standard, by nodes and by OSL, against quadrature of the formula: albedo, peaks, no
+negative colour."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from addon.models.layered_rgb import formulas as layered
-from addon.models.layered_rgb.lobes import exit_directions, exit_plane, lobe_colours, native_lobes
+from addon.models.layered_rgb import lobes as scripted
+from addon.models.layered_rgb import pairs
 from addon.reflectance import directions
 
 UP, EAST, NORTH = np.eye(3)[[2, 0, 1]]
@@ -48,25 +51,72 @@ def formula_albedos(view, n1, r1, thicknesses, e0, e1):
     return [(0.5 * np.sum(both + between * np.cos(2 * path * d), axis=(0, 1))) for d in thicknesses]
 
 
-def fast_albedo(view, n1, r1, d, e0, e1):
-    f, exits = layered.f_eq8(r1), exit_directions(view, UP, n1, r1)
-    plane = exit_plane(exits, r1, d, WAVELENGTHS, f, e0, e1)
-    return sum(lobe_colours(exits, plane, r1, f, e0, e1))
+def aside(n1):
+    """The part of the lower normal across the upper one."""
+    return n1 - UP * n1[2]
+
+
+class ByNodes:
+    """Layered RGB Standard."""
+
+    @staticmethod
+    def albedo(view, n1, r1, d, e0, e1):
+        """What all lobes together are to reflect, (3,)."""
+        light = pairs.light_of_the_layer(view, UP, aside(n1), r1, d, WAVELENGTHS, e0, e1)
+        return light.r + light.t
+
+    @staticmethod
+    def lobes(view, n1, r1, d, e0, e1):
+        """Each with normal, colour, slope_in and slope_across, as Cycles makes them of roughness and anisotropy."""
+        found = pairs.native_lobes(view, UP, aside(n1), r1, d, WAVELENGTHS, e0, e1)
+        return [SimpleNamespace(normal=directions_of(lobe.normal), colour=lobe.colour, **slopes(lobe))
+                for lobe in found]
+
+
+class ByScript:
+    """Layered RGB OSL Standard."""
+
+    @staticmethod
+    def albedo(view, n1, r1, d, e0, e1):
+        """What all lobes together are to reflect, (3,)."""
+        f, exits = layered.f_eq8(r1), scripted.exit_directions(view, UP, n1, r1)
+        plane = scripted.exit_plane(exits, r1, d, WAVELENGTHS, f, e0, e1)
+        return sum(scripted.lobe_colours(exits, plane, r1, f, e0, e1))
+
+    @staticmethod
+    def lobes(view, n1, r1, d, e0, e1):
+        """Each with normal, colour, slope_in and slope_across."""
+        return scripted.native_lobes(view, UP, n1, r1, d, WAVELENGTHS, e0, e1)
+
+
+STANDARDS = pytest.mark.parametrize("standard", [ByNodes, ByScript])
+
+
+def directions_of(vectors):
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+def slopes(lobe):
+    alpha, stretch = lobe.roughness ** 2, 1.0 + np.abs(lobe.anisotropy)
+    along = np.where(lobe.anisotropy > 0.0, 1.0 - lobe.anisotropy, stretch)
+    return {"slope_in": alpha * along, "slope_across": alpha / along}
 
 
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
-def test_albedo_of_parallel_boundaries(r1, e0, e1):
+@STANDARDS
+def test_albedo_of_parallel_boundaries(standard, r1, e0, e1):
     thicknesses = (15.0, 70.0, 92.0, 170.0, 400.0)
     r1 = np.array(r1)
     for angle in ANGLES:
         expected = formula_albedos(view_at(angle), UP, r1, thicknesses, e0, e1)
         for d, albedo in zip(thicknesses, expected):
-            np.testing.assert_allclose(fast_albedo(view_at(angle), UP, r1, d, e0, e1), albedo, rtol=0.02)
+            np.testing.assert_allclose(standard.albedo(view_at(angle), UP, r1, d, e0, e1), albedo, rtol=0.02)
 
 
 @pytest.mark.parametrize("deviation", [5.0, 10.0, 14.0])
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
-def test_albedo_of_deviated_boundaries(r1, e0, e1, deviation):
+@STANDARDS
+def test_albedo_of_deviated_boundaries(standard, r1, e0, e1, deviation):
     """Within 5 % wherever the lobes leave the layer: above a quarter of the albedo at normal incidence."""
     thicknesses = (15.0, 70.0, 170.0)
     r1, n1 = np.array(r1), lower_normal(deviation)
@@ -75,7 +125,7 @@ def test_albedo_of_deviated_boundaries(r1, e0, e1, deviation):
         for angle in ANGLES:
             expected = formula_albedos(view_at(angle, azimuth), n1, r1, thicknesses, e0, e1)
             for d, albedo, normal in zip(thicknesses, expected, at_normal):
-                found = fast_albedo(view_at(angle, azimuth), n1, r1, d, e0, e1)
+                found = standard.albedo(view_at(angle, azimuth), n1, r1, d, e0, e1)
                 seen = albedo > 0.25 * normal
                 np.testing.assert_allclose(found[seen], albedo[seen], rtol=0.05)
 
@@ -103,13 +153,14 @@ def beckmann(light, view, lobe):
 
 
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
-def test_albedo_of_the_closures(r1, e0, e1):
+@STANDARDS
+def test_albedo_of_the_closures(standard, r1, e0, e1):
     """What the closures reflect, what they lose at the horizon included: within 2 % up to 75°."""
     r1, thicknesses = np.array(r1), (15.0, 92.0, 400.0)
     for angle in (0.0, 30.0, 60.0, 70.0, 75.0):
         expected = formula_albedos(view_at(angle), UP, r1, thicknesses, e0, e1)
         for d, albedo in zip(thicknesses, expected):
-            lobes = native_lobes(view_at(angle), UP, UP, r1, d, WAVELENGTHS, e0, e1)
+            lobes = standard.lobes(view_at(angle), UP, r1, d, e0, e1)
             found = sum(np.sum(beckmann(LIGHTS, view_at(angle), lobe) * SOLID_ANGLE) * lobe.colour for lobe in lobes)
             np.testing.assert_allclose(found, albedo, rtol=0.02)
 
@@ -132,7 +183,8 @@ POLARS = (0.5, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 65.0, 70.0, -20.0, -40.0, -60
 
 @pytest.mark.parametrize("deviation", [0.0, 5.0, 10.0, 14.0])
 @pytest.mark.parametrize("r1, e0, e1", [FIGURE_3, FIGURE_5])
-def test_peaks_of_the_channels(r1, e0, e1, deviation):
+@STANDARDS
+def test_peaks_of_the_channels(standard, r1, e0, e1, deviation):
     """A lamp moved through the plane of V and n0 is brightest at the same angle within 1°, per channel.
 
     Where interference makes one peak two, or R and T stand apart and are both as
@@ -148,7 +200,7 @@ def test_peaks_of_the_channels(r1, e0, e1, deviation):
         for d in (15.0, 70.0, 92.0, 170.0, 400.0):
             formula = layered.layered_specular(cosines, r1, d, WAVELENGTHS, e0, e1) * cosines.n0_l[:, None]
             fast = sum(beckmann(lamps, view, lobe)[:, None] * lobe.colour
-                       for lobe in native_lobes(view, UP, n1, r1, d, WAVELENGTHS, e0, e1))
+                       for lobe in standard.lobes(view, n1, r1, d, e0, e1))
             apart = np.abs(top(angles, fast) - top(angles, formula))
             one = has_one_peak(formula)
             compared += one.sum()
@@ -156,7 +208,8 @@ def test_peaks_of_the_channels(r1, e0, e1, deviation):
     assert compared > 0.95 * 3 * 5 * len(POLARS)
 
 
-def test_no_colour_is_negative():
+@STANDARDS
+def test_no_colour_is_negative(standard):
     rng = np.random.default_rng(5)
     count = 4000
     view = view_at(0.0) + rng.normal(size=(count, 3))
@@ -164,8 +217,8 @@ def test_no_colour_is_negative():
     view /= np.linalg.norm(view, axis=-1, keepdims=True)
     n1 = lower_normal(14.0)
     r1 = rng.uniform(1.01, 2.5, (count, 3))
-    lobes = native_lobes(view, UP, n1, r1, rng.uniform(0, 800, count), WAVELENGTHS,
-                         rng.uniform(0, 2000, count), rng.uniform(0, 2000, count))
+    lobes = standard.lobes(view, n1, r1, rng.uniform(0, 800, count), rng.uniform(0, 2000, count),
+                           rng.uniform(0, 2000, count))
     for lobe in lobes:
         assert np.isfinite(lobe.colour).all() and lobe.colour.min() >= 0.0
         assert np.isfinite(lobe.normal).all() and lobe.slope_in.min() > 0.0

@@ -50,7 +50,7 @@ MODEL = Model(
     citation='X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(4), 2003',
     parameters=LayeredRGB,
     groups=(
-        Group("layered_rgb_fast", "Layered RGB Standard", 2, "fast.build",
+        Group("layered_rgb_fast", "Layered RGB Standard", 3, "fast.build",
               "A thin layer after Granier and Heidrich, clean and fast, in Cycles and in EEVEE: the one to take first"),
         Group("layered_rgb_exact", "Layered RGB Reference", 2, "exact.build",
               "The published formula of Granier and Heidrich 2003 itself: slower and noisier, to compare with",
@@ -59,7 +59,8 @@ MODEL = Model(
               "The published formula of Granier and Heidrich 2003 as an OSL script, to read beside the paper",
               stand_in="layered_rgb_fast", osl=True),
         Group("layered_rgb_osl_fast", "Layered RGB OSL Standard", 3, "osl.build_fast",
-              "Layered RGB Standard as an OSL script", stand_in="layered_rgb_fast", osl=True, in_menu=False),
+              "Layered RGB by four native lobes, as an OSL script",
+              stand_in="layered_rgb_fast", osl=True, in_menu=False),
         Group(THICKNESS_GROUP, "Layer Thickness", 1, "thickness.build",
               "Thickness in nanometres that varies over the surface, and the lower normal tilted along it"),
     ),

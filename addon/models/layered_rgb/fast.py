@@ -1,17 +1,16 @@
 """The layered RGB model by native closures: light-sampled on every device, and in EEVEE.
 
-A Beckmann lobe for R, one a channel for T, aimed where the channel's light
+A Beckmann lobe for R, a pair of them a channel for T, where the channel's light
 leaves the layer, and the interference dealt to them: see
-addon.models.layered_rgb.lobes.
+addon.models.layered_rgb.pairs.
 """
 
 from ...operands import part, widen
 from ..parameters import add_inputs
 from .formulas import rho_d_eq16
-from .lobes import native_lobes
-from .normals import normals
+from .normals import normal_and_aside
+from .pairs import aim, light_of_the_layer, mirrored_lobe, transmitted_lobes
 from .parameters import TABLE
-from .sampler import roughness_and_anisotropy
 
 __all__ = ["build"]
 
@@ -23,10 +22,14 @@ def build(builder):
     """Build the group."""
     sockets = add_inputs(builder, TABLE, "fast")
     view = builder.incoming()
-    n0, n1 = normals(builder, sockets, view)
-    lobes = native_lobes(view, n0, n1, sockets.r1, sockets.d, sockets.wavelengths, sockets.e0, sockets.e1,
-                         sockets.published)
-    closures = [_closure(builder, lobe, view, sockets.specular) for lobe in lobes]
+    n0, aside = normal_and_aside(builder, sockets, view)
+    light = light_of_the_layer(view, n0, aside, sockets.r1, sockets.d, sockets.wavelengths, sockets.e0, sockets.e1,
+                               sockets.published)
+    mirrored = mirrored_lobe(view, n0, aside, light)
+    closures = [_closure(builder, mirrored, view, sockets.specular)]
+    for half in light.halves:
+        aimed = aim(light.exits, light.outer, half, light.t, sockets.r1)
+        closures.append(_transmitted(builder, view, n0, aside, light.exits, half, aimed, sockets.specular))
     with builder.frame("specular ρ + diffuse ρ_d/π"):
         albedo = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published)
         native = builder.node("ShaderNodeBsdfDiffuse", {
@@ -34,10 +37,16 @@ def build(builder):
         builder.output("BSDF", builder.add_shaders(*closures, native))
 
 
+@part("Lobes of T")
+def _transmitted(builder, view, n0, aside, exits, half, aimed, specular):
+    """The Glossy BSDFs of one lobe a channel."""
+    lobes = transmitted_lobes(n0, aside, exits, half, aimed)
+    return builder.add_shaders(*(_closure(builder, lobe, view, specular) for lobe in lobes))
+
+
 @part("Native Lobe of the Layer")
 def _closure(builder, lobe, view, specular):
     """The Glossy BSDF of one lobe."""
-    roughness, anisotropy = roughness_and_anisotropy(lobe.slope_in, lobe.slope_across)
     return builder.node("ShaderNodeBsdfAnisotropic", {
-        "Color": lobe.colour * widen(specular), "Roughness": roughness, "Anisotropy": anisotropy,
+        "Color": lobe.colour * widen(specular), "Roughness": lobe.roughness, "Anisotropy": lobe.anisotropy,
         "Normal": lobe.normal, "Tangent": view + NUDGE}, distribution="BECKMANN")

@@ -53,7 +53,8 @@ __all__ = [
     "phase_eq3", "rho_eq5", "rho_of_parts", "reflected_eq6", "fresnel_eq7", "f_eq8", "transmission_eq9",
     "transmitted_eq10", "layer_is_reached",
     "rho_d_eq11", "r_d_eq12", "t_d_eq13", "mean_cosine_eq14", "phase_d_eq15", "rho_d_eq16",
-    "lobe_scale", "layered_lobes", "layered_specular", "layered_diffuse", "layered_rgb", "tilted_normal", "evaluate",
+    "lobe_scale", "layered_lobes", "layered_specular", "layered_diffuse", "layered_rgb", "tilt_direction",
+    "tilted_normal", "evaluate",
 ]
 
 R0 = 1.0
@@ -358,6 +359,15 @@ def layered_rgb(light, view, n0, n1, *, r1, d, e0, e1, specular=1.0, diffuse=1.0
     return total * widen(less(0.0, minimum(cosines.n0_l, cosines.n0_v)))
 
 
+def tilt_direction(tangent, bitangent, azimuth):
+    """The direction across n0 that the lower normal is tilted to, ``(..., 3)``, for an azimuth in radians ``(...)``.
+
+    >>> tilt_direction(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), 0.0)
+    array([1., 0., 0.])
+    """
+    return widen(cos(azimuth)) * tangent + widen(sin(azimuth)) * bitangent
+
+
 @term("n1")
 def tilted_normal(n0, tangent, bitangent, deviation, azimuth):
     """The lower normal n1: n0 tilted by the deviation towards the tangent direction at the azimuth.
@@ -368,7 +378,7 @@ def tilted_normal(n0, tangent, bitangent, deviation, azimuth):
     >>> tilted_normal([0, 0, 1.0], [1.0, 0, 0], [0, 1.0, 0], 0.1, 0.0).round(3)
     array([0.1  , 0.   , 0.995])
     """
-    towards = widen(cos(azimuth)) * tangent + widen(sin(azimuth)) * bitangent
+    towards = tilt_direction(tangent, bitangent, azimuth)
     return widen(cos(deviation)) * n0 + widen(sin(deviation)) * towards
 
 

@@ -1,4 +1,4 @@
-"""Native lobes that stand in for the layered RGB BRDF: the fast realisation.
+"""Native lobes that stand in for the layered RGB BRDF: Layered RGB OSL Standard, whose text does the same.
 
 One Beckmann lobe for R and one a channel for T, about the normals that mirror V
 to where the light of each is brightest.  A native lobe takes any colour that
@@ -33,7 +33,6 @@ from ...operands import (
     maximum,
     minimum,
     normalize,
-    part,
     power,
     sin,
     sqrt,
@@ -88,7 +87,6 @@ HORIZON, HIDDEN = 0.95, 0.25
 between what Blender 4.5 wants, which also samples below a turned normal, and 5.x, which does not."""
 
 
-@part("Exit Directions")
 def exit_directions(view, n0, n1, r1):
     """Where the light of each channel leaves, for the viewer at V.
 
@@ -115,7 +113,6 @@ def exit_directions(view, n0, n1, r1):
     return SimpleNamespace(n0_v=n0_v, cos_o=cos_o, cos_w=cos_w, **vars(outside))
 
 
-@part("Refracted Outwards")
 def _refracted_outwards(n0_v, n0_n1, n1_v, n1_o, cos_w, r1):
     """What :func:`exit_directions` gives of D, by name."""
     # w = 2 n1_o n1 - (V - n0_v n0)/r1 - cos_o n0; refracted outwards its part across n0 grows r1 times.
@@ -147,12 +144,6 @@ def bell(z):
     return 0.3989423 * exp(-0.5 * z * z)
 
 
-_share_below = part("Share Below")(above)
-_shares_below = part("Shares Below")(above)
-"""The same as parts of groups, of a number and of a colour."""
-
-
-@part("Albedo of R")
 def reflected_albedo(n0_v, f, e0):
     """∫ R (N.L) dω, ``(..., 3)``: F's constant part over the cut-off lobe, its (1 - c)^5 at three points.
 
@@ -162,18 +153,16 @@ def reflected_albedo(n0_v, f, e0):
     sigma = 1.0 / sqrt(e0 + 2.0)
     slant = sqrt(1.0 - n0_v * n0_v) * sigma
     z = (HALF_PI - arccos(n0_v)) / sigma
-    mean_cosine = n0_v * _share_below(minimum(z, 4.0)) + slant * bell(z)
+    mean_cosine = n0_v * above(minimum(z, 4.0)) + slant * bell(z)
     grazing = (4.0 * _schlick(n0_v) + _schlick(n0_v + 1.732 * slant) + _schlick(n0_v - 1.732 * slant)) / 6.0
     return f * widen(mean_cosine) + (1.0 - f) * widen(grazing)
 
 
-@part("Grazing")
 def _schlick(c):
     c = minimum(maximum(c, 0.0), 1.0)
     return fifth_power(1.0 - c) * c
 
 
-@part("Albedo of T")
 def transmitted_albedo(exits, r1, f, e1):
     """∫ T (N.L) dω, ``(..., 3)``: 𝒯 r1² times the mean of (1 - F) cos over the lobe in the layer.
 
@@ -185,7 +174,6 @@ def transmitted_albedo(exits, r1, f, e1):
     return (1.0 - f) * transmission_eq9(exits.cos_o, f) * r1 * r1 * _mean_cosine(exits.cos_w, r1, e1)
 
 
-@part("Mean Cosine of T")
 def _mean_cosine(cos_w, r1, e1):
     """Mean over the lobe about w in the layer of its cosine times (1 - F)/(1 - f), 0 beyond the edge."""
     edge_slope = sqrt(r1 * r1 - 1.0)
@@ -200,14 +188,12 @@ def _mean_cosine(cos_w, r1, e1):
     return maximum(total, 0.0)
 
 
-@part("Step of the Edge")
 def _step_of_the_edge(offset, margin, edge_slope, sigma, cos_w, lean):
     """Mean cosine of a lobe that is cut off this far from the edge."""
     z = minimum(maximum((margin - offset / edge_slope) / sigma, -4.0), 4.0)
-    return cos_w * _shares_below(z) + lean * bell(z)
+    return cos_w * above(z) + lean * bell(z)
 
 
-@part("Plane of n0 and D")
 def exit_plane(exits, r1, d, wavelengths, f, e0, e1):
     """What the lobes are within the plane of n0 and D, per channel ``(..., 3)``; angles count from n0 to D.
 
@@ -241,14 +227,12 @@ def exit_plane(exits, r1, d, wavelengths, f, e0, e1):
         sigma=sqrt(2.0 / (curve_r + within)), across=_across(n0_v, mirror_side, curve_r, curve_r + curve_t))
 
 
-@part("Angles in the Plane", "of D", "from the mirror")
 def _angles(n0_v, cos_1, sin_1, mirror_side):
     """The angle of D from n0, and from the mirror direction's place in the plane."""
     sine = sin_1 * n0_v - cos_1 * mirror_side
     return arccos(cos_1), sine * (1.0 + squared(sine) / 6.0)
 
 
-@part("Curvatures", "of R", "of T", "of T in the plane")
 def _curvatures(cos_w, cos_1, r1, e0, e1):
     """One over the variances of the lobes R and T outside, and of T within the plane."""
     cos_axis = maximum(cos_w, sqrt(1.0 - 1.0 / squared(r1)))
@@ -257,7 +241,6 @@ def _curvatures(cos_w, cos_1, r1, e0, e1):
     return widen(e0 + 2.0), curve_t, curve_t / squared(stretch)
 
 
-@part("Across the Plane")
 def _across(n0_v, mirror_side, curve_r, both):
     """The integral of √(RT) across the plane over its height in it."""
     # Where the mirror direction lies off the plane, √(RT) is highest on the way there.
@@ -266,7 +249,6 @@ def _across(n0_v, mirror_side, curve_r, both):
     return height * sqrt(4.0 * PI / (both + 2.0))
 
 
-@part("In the Plane", "R", "T", "2 cos 2Φ √RT")
 def in_plane(exits, plane, theta, r1, f, e0, e1):
     """R, T and 2 cos(2Φ) √(RT) towards an angle in the plane, each times N.L, in units of R's scale.
 
@@ -292,7 +274,6 @@ def in_plane(exits, plane, theta, r1, f, e0, e1):
     return r, t, between
 
 
-@part("Albedo of 2 cos 2Φ √RT")
 def interference_albedo(exits, plane, r1, f, e0, e1):
     """∫ 2 cos(2Φ) √(RT) (N.L) dω, ``(..., 3)``: three directions in the plane, a Gaussian across it.
 
@@ -314,7 +295,6 @@ def interference_albedo(exits, plane, r1, f, e0, e1):
     return total * fading * step * plane.across * widen((e0 + 2.0) / (2.0 * PI))
 
 
-@part("Peaks", "angle", "deviation")
 def peaks(exits, plane, r1, f, e0, e1):
     """Angle of T's peak in the plane, interference included, and its standard deviation, ``(..., 3)``.
 
@@ -336,7 +316,6 @@ def peaks(exits, plane, r1, f, e0, e1):
     return middle + _towards_the_top(exits, plane, middle, TOP_STEP * sigma, r1, f, e0, e1), sigma
 
 
-@part("Mean and Spread", "mean", "spread")
 def _mean_and_spread(weights):
     """Mean and variance of five weighed steps from -2 to 2."""
     inner, outer = weights[1] + weights[3], weights[0] + weights[4]
@@ -345,7 +324,6 @@ def _mean_and_spread(weights):
     return mean, maximum((inner + 4.0 * outer) / total - squared(mean), 0.01)
 
 
-@part("Towards the Top")
 def _towards_the_top(exits, plane, middle, step, r1, f, e0, e1):
     """From the mean of a lopsided lobe to its top: the mean of three directions about it, under the sixth power."""
     fourth_powers = [_peak_weight(exits, plane, middle + place * step, r1, f, e0, e1) for place in (-1.0, 0.0, 1.0)]
@@ -353,20 +331,17 @@ def _towards_the_top(exits, plane, middle, step, r1, f, e0, e1):
     return step * (after - before) / (before + at + after + LEAST_PEAK)
 
 
-@part("Weight of a Direction")
 def _peak_weight(exits, plane, theta, r1, f, e0, e1):
     """Fourth power of T (N.L) and what interference T is dealt, towards an angle."""
     r, t, between = in_plane(exits, plane, theta, r1, f, e0, e1)
     return squared(squared(maximum(t + _dealt_to_t(r, between), 0.0)))
 
 
-@part("Dealt to T")
 def _dealt_to_t(r, between):
     """The interference but for what R gives of it where it takes light."""
     return maximum(between, minimum(r + between, 0.0))
 
 
-@part("Colours", "R", "T")
 def lobe_colours(exits, plane, r1, f, e0, e1, published=0.0):
     """Albedo that the lobes of R and of T reflect, interference included, ``(..., 3)``; never below 0.
 
@@ -411,7 +386,6 @@ def native_lobes(view, n0, n1, r1, d, wavelengths, e0, e1, published=0.0):
     return [_r_lobe(view, n0, exits, f, e0, r), *_t_lobes(view, n0, n1, exits, plane, r1, e1, t, peak, sigma)]
 
 
-@part("R Lobe")
 def _r_lobe(view, n0, exits, f, e0, albedo):
     """R's lobe: N.L moves its peak up, F towards the horizon, by the variance times their logarithms' slopes."""
     height = maximum(exits.n0_v, SMALLEST)
@@ -422,12 +396,11 @@ def _r_lobe(view, n0, exits, f, e0, albedo):
     lean = minimum(maximum((1.0 / height - rise) / (e0 + 2.0), LEAST_LEAN), MOST_LEAN)
     mirror = widen(2.0 * exits.n0_v + lean) * n0 - view
     normal = half_vector(view, normalize(mirror))
-    kept = _share_below(minimum((HALF_PI - arccos(exits.n0_v)) * sqrt(e0 + 2.0), 4.0))
+    kept = above(minimum((HALF_PI - arccos(exits.n0_v)) * sqrt(e0 + 2.0), 4.0))
     slope = 1.0 / sqrt(2.0 * (e0 + 2.0))
     return _lobe(view, normal, albedo / widen(kept), slope, slope)
 
 
-@part("T Lobes")
 def _t_lobes(view, n0, n1, exits, plane, r1, e1, albedo, peak, sigma):
     """T's lobes, each about the normal that mirrors V to its channel's peak."""
     with_loss = _cut_off(albedo, exits.n0_v, peak, sigma)
@@ -440,7 +413,6 @@ def _t_lobes(view, n0, n1, exits, plane, r1, e1, albedo, peak, sigma):
             for of, channel in CHANNELS]
 
 
-@part("Cut Off")
 def _cut_off(albedo, n0_v, peak, sigma):
     """The colour of a lobe that loses what of it lies below the horizon, to reflect this albedo.
 
@@ -449,10 +421,9 @@ def _cut_off(albedo, n0_v, peak, sigma):
     """
     lower = maximum(peak, 0.5 * (peak + widen(arccos(n0_v))))
     z = minimum(maximum(HORIZON * (HALF_PI - lower) / sigma, 0.5), 4.0)
-    return albedo / (_shares_below(z) + HIDDEN * bell(z) / z)
+    return albedo / (above(z) + HIDDEN * bell(z) / z)
 
 
-@part("Aimed Lobe")
 def _aimed(view, n0, n1, on_v, on_n0, on_n1, colour, slope_in, slope_across):
     direction = widen(on_v) * view + widen(on_n0) * n0 + widen(on_n1) * n1
     return _lobe(view, half_vector(view, direction), colour, slope_in, slope_across)
