@@ -96,13 +96,13 @@ MATCHED = {"stack": "1.52 0-200 nm / 1.52", "thickness": 100.0, "see_through": 1
 """A coat that optics do not see."""
 
 
-@pytest.mark.parametrize("realisation", ["fast", "exact"])
+@pytest.mark.parametrize("realisation", ["fast", "exact", "osl"])
 def test_a_frosted_body_below_has_its_lamps_once(realisation):
     """As frosted glass has, which is held to Mitsuba: by straight shadows and by refraction it would be twice."""
     means = []
     for make in (lambda: api.create_material("film", realisation=realisation, roughness=0.3, **MATCHED),
                  lambda: api.create_material("clear", ior=1.52, roughness=0.3)):
-        scene = probes.empty_scene(24, samples=128)
+        scene = probes.empty_scene(24, samples=128, osl=realisation == "osl")
         probes.add_sphere(make())
         probes.add_sun(scene, np.radians(160.0), diameter=np.radians(20.0))
         means.append(probes.render(scene).mean())

@@ -77,7 +77,7 @@ MODEL = Model(
         Group("film_exact", "Film Reference", 10, "exact.build",
               "Films of measured layers, at the angle of every facet: slower and noisier, to compare with",
               stand_in="film_eevee", pictured=True),
-        Group("film_osl", "Film OSL", 2, "osl.build",
+        Group("film_osl", "Film OSL", 3, "osl.build",
               "Films of measured layers by an OSL script, to read: the formula at the angle of every facet",
               stand_in="film_eevee", osl=True, pictured=True),
         Group("film_eevee", "Film EEVEE", 7, "fast.build_eevee",
