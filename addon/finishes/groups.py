@@ -16,7 +16,7 @@ GROUPS = (
     Group("finish_cast", "Cast", 3, "cast.build", "The skin of a sand mould, for Roughness and Normal"),
     Group("finish_scratched", "Scratched", 5, "scratched.build",
           "Scratches and hairlines, for Roughness, Normal and Diffuse Color"),
-    Group("finish_smudged", "Smudged", 4, "smudged.build",
+    Group("finish_smudged", "Smudged", 5, "smudged.build",
           "Fingerprints and wipe marks, for Roughness and Diffuse Color"),
     Group("finish_worn_edges", "Worn Edges", 4, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
 )
