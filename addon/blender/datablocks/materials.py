@@ -16,6 +16,7 @@ from .groups import (
     group_id,
     group_of,
     input_names,
+    inputs_named,
     model_of_group,
     node_group,
     output_named,
@@ -99,8 +100,9 @@ def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -
     elif is_editable(node.node_tree):
         settled(node.node_tree)  # which another Blender may have written
     values = {**model.written(record.parameters, record.realisation), **sockets_of_image(image_in(node.node_tree))}
+    inputs = inputs_named(node)
     for name, value in values.items():
-        socket_named(node, name).default_value = value
+        inputs[name].default_value = value
     from ...finishes.feeding import feeds
     _write_feeds(tree, node, there, (*model.feeds(record.parameters), *feeds(record)))
 
@@ -242,8 +244,8 @@ def _controls(group, fed, values):
 def _values(node):
     """{socket: value} of a group node."""
     found = {}
-    for name in input_names(node.node_tree):
-        value = socket_named(node, name).default_value
+    for name, socket in inputs_named(node).items():
+        value = socket.default_value
         found[name] = tuple(value) if hasattr(value, "__len__") else value
     return found
 
@@ -363,8 +365,7 @@ def _set_values(tree, node, group):
     """Give the node this group with the values and links that it had."""
     values, sources = {}, {}
     if node.node_tree is not None:
-        for name in input_names(node.node_tree):
-            socket = socket_named(node, name)
+        for name, socket in inputs_named(node).items():
             if hasattr(socket, "default_value"):
                 value = socket.default_value
                 values[name] = tuple(value) if hasattr(value, "__len__") else value
