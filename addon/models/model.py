@@ -161,7 +161,7 @@ class Model:
     standin       function(Record in linear Rec.709 by the exact formula) -> addon.export.standin.Standin, the shader of
                   base colour and metalness that comes closest; None where a look has to do
     measured      whether a measurement that is no preset can become a material of it
-    refracts     whether light is bent by its materials, which EEVEE has to be told
+    refracts     function(parameters) -> whether light is bent by a material, which EEVEE has to be told
     sheet        function(parameters) -> whether a material is one sheet that light goes straight through, which EEVEE
                  has to be told, too
     index, index_outside  of clear bodies the parameters that are the index of refraction inside, and of what a face is
@@ -198,7 +198,7 @@ class Model:
     fits: Mapping[str, str] = dataclasses.field(default_factory=dict)
     standin: Callable | None = None
     measured: bool = False
-    refracts: bool = False
+    refracts: Callable = lambda parameters: False
     sheet: Callable = lambda parameters: False
     index: str = ""
     index_outside: str = ""

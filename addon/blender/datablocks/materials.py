@@ -74,7 +74,7 @@ def write(material: bpy.types.Material, record: Record) -> None:
     remove_standin(material)
     write_node(material.node_tree, node, record)
     model = model_of_group(record.group)
-    set_refraction(material, model.refracts, model.sheet(record.parameters))
+    set_refraction(material, model.refracts(record.parameters), model.sheet(record.parameters))
     material[RECORD_KEY] = record.to_json()
     _show_in_viewport(material, record)
 
