@@ -28,6 +28,7 @@ from .sampler import (
     native_fresnel,
     native_lobe,
     native_over_d,
+    native_scale,
     native_slope,
     scales,
     stretched,
@@ -76,9 +77,9 @@ def _drawn_lobe(builder, slopes, specular, width, has_native, scale, surface, in
         probability = where(has_native, kept(slope.share), 1.0)
         shown = less(builder.random(ROULETTE), probability)
     ellipse = stretched(surface.normal, surface.tangent, slope.m, surface.anisotropy)
-    whole, native_scale = scales(slope.m, gaussian, scale.published, scale.gaussian_c, ellipse)
+    whole, scale_under = scales(slope.m, gaussian, scale.published, scale.gaussian_c, ellipse)
     with builder.frame("Native"):
-        native = has_native * (native_scale * HEADROOM) * slope.share
+        native = has_native * (scale_under * HEADROOM) * slope.share
     drawing = SimpleNamespace(flanks=FLANKS * has_native, gaussian=gaussian, tilt=tilt, azimuth=azimuth)
     weights = SimpleNamespace(whole=whole, native=native, all=specular * slope.weight, probability=probability)
     sides = [_side(builder, side, slope, drawing, ellipse, weights, surface, index) for side in (1.0, -1.0)]
@@ -152,6 +153,6 @@ def _native_lobe(builder, m, w, specular, has_native, scale, surface, index):
         "Normal": surface.normal + widen(lean) * surface.view,
     }, distribution="BECKMANN", fresnel_type="F82")
     ellipse = stretched(surface.normal, surface.tangent, m, surface.anisotropy)
-    _, native_scale = scales(m, scale.gaussian, scale.published, scale.gaussian_c, ellipse)
-    quarter = HEADROOM * native_scale / (1.0 + 3.0 * scale.published)
+    under = native_scale(m, scale.gaussian, scale.published, scale.gaussian_c, ellipse)
+    quarter = HEADROOM * under / (1.0 + 3.0 * scale.published)
     return builder.scale_shader((w * specular * has_native * quarter) * share, metallic)

@@ -48,8 +48,8 @@ from ...reflectance.masking import smith_lambda_of_slope
 from ...reflectance.sampling import narrowed, squared_tilt, towards_flanks
 from ...reflectance.slopes import along_across, elliptic_gaussian_c, gaussian_c
 
-__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "stretched", "facet", "native_over_d",
-           "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
+__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "native_scale", "stretched", "facet",
+           "native_over_d", "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
 SMALLEST_LEVEL = 1e-3
@@ -157,6 +157,7 @@ def native_fresnel(n, k):
     return f0, clip(f82_tint_of(maximum(f0, SMALLEST), conductor(COS_THETA_82, n, k)), 0.0, 1.0)
 
 
+@part("Scale", "scale", "native scale")
 def scales(m, gaussian, published, printed_c, ellipse=None):
     """Factors on the energy-conserving lobe of slope m: of f, and of the native lobe, at most four.
 
@@ -171,8 +172,13 @@ def scales(m, gaussian, published, printed_c, ellipse=None):
     >>> scales(0.2, 0.0, 0.0, 1.0), scales(0.2, 0.0, 1.0, 1.0)
     ((1.0, 1.0), (4.0, 4.0))
     """
-    named = part("Scale" if ellipse else "Round Scale", "scale", "native scale")
-    return named(_scales)(m, gaussian, published, printed_c, ellipse)
+    return _scales(m, gaussian, published, printed_c, ellipse)
+
+
+@part("Native Scale")
+def native_scale(m, gaussian, published, printed_c, ellipse):
+    """The native lobe's factor of :func:`scales`, where gaussian is the share of both distributions."""
+    return _scales(m, gaussian, published, printed_c, ellipse)[1]
 
 
 def _scales(m, gaussian, published, printed_c, ellipse):
@@ -432,9 +438,7 @@ def _native_over_d(x, m, lean):
     slope2_v, slope2_l = _slopes_about(x.n_v, x.n_l, x.v_h, lean)
     longest, steepness, of_v, of_l = m, tan2_h, slope2_v, slope2_l
     if _is_stretched(x):
-        longest = m * where(x.is_elliptic, x.along, 1.0)
-        steepness, of_v, of_l = (where(x.is_elliptic, stretched_one, round_one) for stretched_one, round_one in (
-            (x.round_tan2, tan2_h), (x.slope2_v, slope2_v), (x.slope2_l, slope2_l)))
+        longest, steepness, of_v, of_l = _as_if_longest(x, m, tan2_h, slope2_v, slope2_l)
     m2, m_native = m * m, native_slope(longest)
     m2_native = m_native * m_native
     narrower = (longest * longest) / m2_native
@@ -444,6 +448,13 @@ def _native_over_d(x, m, lean):
     ratio = exp((sharper / m2) * (x.steepness - narrower * steepness) + log(sharper * narrower))
     peaks = (tan2_h + 1.0) * x.flat
     return (peaks * peaks) * ratio * (x.n_v * sqrt(slope2_v)) / (masked + shadowed + 1.0)
+
+
+@part("Round or Stretched", "longest", "tan²", "of V", "of L")
+def _as_if_longest(x, m, tan2_h, slope2_v, slope2_l):
+    """The longest slope, and the steepness of H and the squares of the slopes of V and L as if all were the longest."""
+    return (m * where(x.is_elliptic, x.along, 1.0), where(x.is_elliptic, x.round_tan2, tan2_h),
+            where(x.is_elliptic, x.slope2_v, slope2_v), where(x.is_elliptic, x.slope2_l, slope2_l))
 
 
 @part("Slopes over the Longest")
