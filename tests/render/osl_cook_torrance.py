@@ -271,8 +271,8 @@ FORMULAS = {
         lambda x, m, lean: sampler.native_over_d(read(x), m, lean), with_mirrors()),
     "facet_weight(Facet, float, float, vector, vector, color, color)": (facet_weight, weights_cases()),
     "gaussian_shares(float, output float, output float, output float)": (
-        lambda m: [share for share, _slope in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
+        lambda m: [share for share, _widening in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
     "gaussian_slopes(float, output float, output float, output float)": (
-        lambda m: [slope for _share, slope in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
+        lambda m: [m * widening ** 2 for _share, widening in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
     "facing(vector, vector)": (facing, normals()),
 }

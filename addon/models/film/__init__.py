@@ -110,6 +110,7 @@ MODEL = Model(
     made_of="stack",
     own_data="own_layers",
     picture=_picture,
+    newcomers=True,
     work_ahead=_work_ahead,
     no_longer=_no_longer,
 )
