@@ -238,7 +238,7 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse
     >>> round(float(x.n_h), 4), round(float(x.v_h), 4), round(float(x.density), 6)     # tan α = m
     (0.8944, 0.8944, 1.0)
     """
-    named = part("Drawn Facet" if ellipse else "Drawn Round Facet")
+    named = part("Drawn Facet" if side is None else "Facet on a Side")
     return named(_facet)(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse, side)
 
 
