@@ -5,6 +5,6 @@ Blender loads this folder, or the zip made of it, as an extension; everything is
 """
 
 from .addon import register, unregister
-from .addon.blender.exporters.hook import glTF2ExportUserExtension
+from .addon.blender.exporters import glTF2ExportUserExtension
 
 __all__ = ["glTF2ExportUserExtension", "register", "unregister"]

@@ -17,8 +17,8 @@ from types import SimpleNamespace
 import numpy as np
 
 __all__ = [
-    "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
-    "minimum", "maximum", "clip", "multiply_add", "fraction", "less", "where", "mix", "lookup", "lookup_three",
+    "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute", "multiply_add",
+    "minimum", "maximum", "clip", "fraction", "less", "where", "mix", "lookup", "lookup_three",
     "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
     "part", "term",
 ]
@@ -63,6 +63,15 @@ def exp(x):
 def log(x):
     """Natural logarithm; 0 where x is 0 or below, as the shader's own logarithm."""
     return _apply("log", lambda a: np.log(np.where(np.greater(a, 0.0), a, 1.0)), x)
+
+
+def multiply_add(x, y, z):
+    """x·y + z, with nodes in one of them.
+
+    >>> float(multiply_add(2.0, 3.0, 4.0))
+    10.0
+    """
+    return _apply("multiply_add", lambda a, b, c: np.asarray(a) * b + c, x, y, z)
 
 
 def sin(x):
@@ -114,11 +123,6 @@ def clip(x, low, high):
     return minimum(maximum(x, low), high)
 
 
-def multiply_add(x, y, z):
-    """x y + z, which of directions and colours is one node only where it is written so."""
-    return _apply("multiply_add", lambda a, b, c: a * b + c, x, y, z)
-
-
 def fraction(x):
     """x less the largest whole number that is not above it, [0, 1).
 
@@ -156,7 +160,7 @@ def lookup(x, knots, values):
     knots   ascending from 0 to 1, ``(K,)``
     values  ``(K,)``
 
-    With nodes a curve, which the renderer keeps as a table of 257 entries.
+    With nodes a curve, which the renderer keeps as a table of 257 entries; x may be a colour, for each of its channels.
 
     >>> float(lookup(0.25, [0.0, 0.5, 1.0], [1.0, 3.0, 2.0]))
     2.0

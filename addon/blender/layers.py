@@ -7,9 +7,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ..errors import FacetFilmError
-from .datablocks.materials import model_of, our_node
-from .datablocks.pictures import image_in, values_of_image
-from .panels import picker
+from . import datablocks
 
 __all__ = ["FacetFilmLayer", "LayersEditor", "follow", "forget", "load", "made_of", "redraw", "say_layers", "why_not"]
 
@@ -24,18 +22,19 @@ _at_work, _shown, _asked = [], [], []
 
 def made_of(material):
     """What a material is made of in words, or ""."""
-    model = model_of(material)
+    model = datablocks.materials.model_of(material)
     return _values(material).get(model.made_of, "") if model is not None and model.made_of else ""
 
 
 def _values(material):
-    return values_of_image(image_in(our_node(material).node_tree))
+    shown = datablocks.pictures.image_in(datablocks.materials.our_node(material).node_tree)
+    return datablocks.pictures.values_of_image(shown)
 
 
 def why_not(material, text):
     """Why a material of ours cannot be made of a text, as one sentence that names the place; or ""."""
-    return _why_not(model_of(material), text, _values(material).get(model_of(material).own_data, ""),
-                    bpy.app.translations.locale)
+    model = datablocks.materials.model_of(material)
+    return _why_not(model, text, _values(material).get(model.own_data, ""), bpy.app.translations.locale)
 
 
 @functools.lru_cache(maxsize=64)
@@ -52,8 +51,9 @@ def searched(_layer, _context, text):
     """What a field lists while one types: what stacks call by a word, then presets and datasets with their titles."""
     from ..bake.film_names import AIR as AIRS
     from ..bake.film_names import DATASETS
+    from .panels.picker import BETWEEN, lines
     begun = [word for word in (*DATASETS, *AIRS) if word.casefold().startswith(text.casefold())]
-    return [*(picker.BETWEEN.join((word, DATASETS.get(word, word))) for word in begun), *picker.lines(text)]
+    return [*(BETWEEN.join((word, DATASETS.get(word, word))) for word in begun), *lines(text)]
 
 
 @contextlib.contextmanager
@@ -74,11 +74,12 @@ def _list_changed(_owner, _context):
 def say_layers(settings):
     """Say the list as text."""
     from ..bake.stack_notation import Layers, text_of
+    from .panels.picker import name_in
     with _alone():
         for owner, name in ((settings, "layers_outside"), (settings, "layers_below"),
                             *((layer, "material") for layer in settings.layers)):
-            if picker.name_in(getattr(owner, name)) != getattr(owner, name):
-                setattr(owner, name, picker.name_in(getattr(owner, name)))
+            if name_in(getattr(owner, name)) != getattr(owner, name):
+                setattr(owner, name, name_in(getattr(owner, name)))
         films = tuple(layer.said() for layer in settings.layers)
         settings.layers_text = text_of(Layers(settings.layers_outside.strip() or AIR, films, settings.layers_below))
 

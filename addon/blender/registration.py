@@ -2,9 +2,8 @@
 
 import bpy
 
-from . import layers, settings, translations
+from . import exporters, layers, settings, translations
 from .assets import imported
-from .exporters import standins, usd
 from .operators import (
     add_group,
     apply,
@@ -30,7 +29,6 @@ from .operators import (
 from .operators import layers as layers_operators
 from .panels import (
     card,
-    load_ahead,
     material,
     measurement,
     menus,
@@ -53,7 +51,7 @@ CLASSES = (*settings.CLASSES, *apply.CLASSES, *shelves.CLASSES, *choose.CLASSES,
            *layers_operators.CLASSES, *material.CLASSES, *layers_panel.CLASSES, *finish_panel.CLASSES,
            *versions.CLASSES, *measurement.CLASSES, *menus.CLASSES, *node_menu.CLASSES, *node_sidebar.CLASSES,
            *preferences.CLASSES)
-ATTACHED = (translations, settings, card, menus, node_menu, imported, usd, standins)
+ATTACHED = (translations, settings, card, menus, node_menu, imported, exporters)
 COMMAND = "facet_film"
 _commands = []
 
@@ -74,6 +72,7 @@ def unregister():
         module.detach()
     from .assets import library, names, search_items, swatches, thumbnails
     from .datablocks import groups, menu
+    from .panels import load_ahead
     for module in (load_ahead, choose, search_items, names, groups, menu, layers):
         module.forget()
     swatches.clear()

@@ -9,7 +9,6 @@ from bpy.app.translations import pgettext_iface as iface_
 from ..finishes import all_finishes
 from ..models.realisations import REALISATIONS
 from .layers import FacetFilmLayer, LayersEditor
-from .panels import picker
 
 __all__ = ["CLASSES", "FINISH_ITEMS", "OWN_FINISH", "PACKAGE", "Viewing", "attach", "copy_viewing", "detach",
            "finish_property", "preferences", "preset_property", "realisation_property", "search_presets", "viewing_of"]
@@ -49,13 +48,15 @@ IN_AIR = ("", "air", "1", "1.0")
 
 def search_presets(_settings, _context, text):
     """What a text property lists while one types: presets and datasets with their titles."""
-    return picker.lines(text)
+    from .panels.picker import lines
+    return lines(text)
 
 
 def _drop_title(properties, _context):
     """Keep the name alone of what was chosen from the list."""
-    if picker.name_in(properties.preset) != properties.preset:
-        properties.preset = picker.name_in(properties.preset)
+    from .panels.picker import name_in
+    if name_in(properties.preset) != properties.preset:
+        properties.preset = name_in(properties.preset)
 
 
 def preferences():
@@ -107,7 +108,7 @@ class Viewing:
     gamut: bpy.props.EnumProperty(
         name="Gamut", items=GAMUT_ITEMS, description="What to do with colours that the working space cannot hold")
     medium: bpy.props.StringProperty(
-        name="Outside", default="air", search=lambda _self, _context, text: picker.lines(text),
+        name="Outside", default="air", search=search_presets,
         search_options={"SUGGESTION"},
         description="What the surface is in: air, an index such as 1.33, or a clear material such as water")
     adapt: bpy.props.BoolProperty(
@@ -120,7 +121,8 @@ def viewing_of(properties):
     found = {"illuminant": properties.illuminant, "observer": properties.observer, "gamut": properties.gamut,
              "adapt": properties.adapt}
     if properties.medium.strip().lower() not in IN_AIR:
-        found["medium"] = picker.name_in(properties.medium)
+        from .panels.picker import name_in
+        found["medium"] = name_in(properties.medium)
     if properties.space != SAME_AS_FILE:
         found["space"] = properties.space
     return found

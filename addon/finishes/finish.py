@@ -1,17 +1,18 @@
 """The finishes, and what each says of a surface.  Read when Blender starts, so it loads nothing."""
 
-from collections.abc import Mapping
+from collections import namedtuple
 from types import MappingProxyType
-from typing import NamedTuple
 
 from ..errors import FacetFilmError, choice
 
 __all__ = ["Finish", "all_finishes", "find", "names", "of_group"]
 
 WARD = "G. J. Ward, SIGGRAPH 1992, Table 1"
+FIELDS = "name title note slopes source chosen anisotropy group controls"
+DEFAULTS = (False, 0.0, "", MappingProxyType({}))
 
 
-class Finish(NamedTuple):
+class Finish(namedtuple("Finish", FIELDS, defaults=DEFAULTS)):
     """What was done to a surface.
 
     name        what scripts call it
@@ -25,15 +26,7 @@ class Finish(NamedTuple):
     controls    {socket: value} of it where they are not its defaults
     """
 
-    name: str
-    title: str
-    note: str
-    slopes: tuple
-    source: str
-    chosen: bool = False
-    anisotropy: float = 0.0
-    group: str = ""
-    controls: Mapping = MappingProxyType({})
+    __slots__ = ()
 
     @property
     def roughness(self):

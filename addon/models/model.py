@@ -161,7 +161,7 @@ class Model:
     standin       function(Record in linear Rec.709 by the exact formula) -> addon.export.standin.Standin, the shader of
                   base colour and metalness that comes closest; None where a look has to do
     measured      whether a measurement that is no preset can become a material of it
-    refracts     whether light is bent by its materials, which EEVEE has to be told
+    refracts     function(parameters) -> whether light is bent by a material, which EEVEE has to be told
     sheet        function(parameters) -> whether a material is one sheet that light goes straight through, which EEVEE
                  has to be told, too
     index, index_outside  of clear bodies the parameters that are the index of refraction inside, and of what a face is
@@ -169,6 +169,7 @@ class Model:
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
     own_data      the parameter that holds the user's own measurements which those words name, as JSON; or ""
     picture       function(parameters, viewing options) -> the Picture of its pictured groups
+    newcomers     whether its groups have links that only some Blenders take: see addon.nodes.newcomers
     work_ahead    function(resolved preset, viewing options, progress) that works out what takes long of a bake, telling
                   progress the share that is done; None where nothing does
     no_longer     function(parameters, Baked of other words) -> {name: value} of what the user set and those words do
@@ -198,13 +199,14 @@ class Model:
     fits: Mapping[str, str] = dataclasses.field(default_factory=dict)
     standin: Callable | None = None
     measured: bool = False
-    refracts: bool = False
+    refracts: Callable = lambda parameters: False
     sheet: Callable = lambda parameters: False
     index: str = ""
     index_outside: str = ""
     made_of: str = ""
     own_data: str = ""
     picture: Callable | None = None
+    newcomers: bool = False
     work_ahead: Callable | None = None
     no_longer: Callable = lambda parameters, baked: {}
 

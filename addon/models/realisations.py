@@ -1,13 +1,13 @@
 """The ways from a formula to a Cycles material.  Read when Blender starts, so it loads nothing."""
 
-from typing import NamedTuple
+from collections import namedtuple
 
 from ..errors import choice
 
 __all__ = ["NAMES", "REALISATIONS", "Realisation", "realisation_chosen", "realisation_named"]
 
 
-class Realisation(NamedTuple):
+class Realisation(namedtuple("Realisation", "title tip native osl without_osl", defaults=(False, False, ""))):
     """A way from a formula to a Cycles material.
 
     title        what people call it
@@ -17,11 +17,7 @@ class Realisation(NamedTuple):
     without_osl  name of the realisation that a script's material shows where Open Shading Language is off
     """
 
-    title: str
-    tip: str
-    native: bool = False
-    osl: bool = False
-    without_osl: str = ""
+    __slots__ = ()
 
 
 REALISATIONS = {

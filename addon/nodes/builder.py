@@ -375,7 +375,7 @@ class GroupBuilder:
             return self._vector_math("POWER", (operands[0], 0.5))  # which gives 0 below 0
         if name == "exp":
             return self._vector_math("POWER", (math.e, operands[0]))
-        if name == "where" and not is_vector(operands[0]):
+        if name == "where":
             return self._mix("VECTOR", "Vector", *operands)
         # No Vector Math operation: channel by channel.
         channels = [[self.apply(c, (o,)) if isinstance(o, NodeOperand) and is_vector(o)
@@ -388,8 +388,12 @@ class GroupBuilder:
         return self.node("ShaderNodeVectorMath", dict(zip(identifiers, operands)), output, operation=operation)
 
     def _mix(self, data_type, suffix, condition, if_true, if_false):
-        inputs = {"Factor_Float": condition, f"A_{suffix}": if_false, f"B_{suffix}": if_true}
-        return self.node("ShaderNodeMix", inputs, f"Result_{suffix}", data_type=data_type, clamp_factor=False)
+        settings = {"data_type": data_type, "clamp_factor": False}
+        factor = {"Factor_Float": condition}
+        if is_vector(condition):  # each channel by its own; the other one is 1 in newer Blenders if nobody says
+            settings["factor_mode"], factor = "NON_UNIFORM", {"Factor_Float": 0.5, "Factor_Vector": condition}
+        inputs = {**factor, f"A_{suffix}": if_false, f"B_{suffix}": if_true}
+        return self.node("ShaderNodeMix", inputs, f"Result_{suffix}", **settings)
 
     # --- plumbing ---
 

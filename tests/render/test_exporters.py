@@ -17,9 +17,8 @@ from addon import api
 from addon.bake.colour import delta_e_2000, lab
 from addon.blender.datablocks.groups import socket_named
 from addon.blender.datablocks.materials import STANDIN_KEY, our_node
-from addon.blender.exporters import standins
+from addon.blender.exporters import glTF2ExportUserExtension, standins
 from addon.blender.exporters.bodies import mean_depth
-from addon.blender.exporters.hook import glTF2ExportUserExtension
 from addon.errors import FacetFilmError
 from addon.export.standin import LOST_THERE
 from tests import gltf_validator
@@ -259,7 +258,7 @@ def test_the_export_menu_has_them_made():
     probes.empty_scene(8)
     for preset in ("gold", "copper"):
         api.create_material(preset=preset)
-    standins.when_export_opens(None, bpy.context)
+    standins.when_export_opens()
     assert bpy.app.timers.is_registered(standins.next_one)
     assert standins.next_one() == 0.0 and len(standins.stale()) == 1
     assert standins.next_one() is None and standins.stale() == []

@@ -92,6 +92,30 @@ def test_nor_is_light_lost_towards_grazing_where_facets_are_drawn(realisation, p
     np.testing.assert_allclose(probes.render(scene).mean(axis=(0, 1)), 1.0, atol=1e-3)
 
 
+MATCHED = {"stack": "1.52 0-200 nm / 1.52", "thickness": 100.0, "see_through": 1.0, "ior_below": 1.52}
+"""A coat that optics do not see."""
+
+
+@pytest.mark.parametrize("realisation", ["fast", "exact", "osl"])
+def test_a_frosted_body_below_has_its_lamps_once(realisation):
+    """As frosted glass has, which is held to Mitsuba: by straight shadows and by refraction it would be twice."""
+    means = []
+    for make in (lambda: api.create_material("film", realisation=realisation, roughness=0.3, **MATCHED),
+                 lambda: api.create_material("clear", ior=1.52, roughness=0.3)):
+        scene = probes.empty_scene(24, samples=128, osl=realisation == "osl")
+        probes.add_sphere(make())
+        probes.add_sun(scene, np.radians(160.0), diameter=np.radians(20.0))
+        means.append(probes.render(scene).mean())
+    assert means[0] == pytest.approx(means[1], rel=0.03)
+
+
+@pytest.mark.parametrize("preset, method, refracts", [
+    ("coated_lens", "DITHERED", True), ("soap_bubble", "BLENDED", False), ("anodised_titanium", "DITHERED", False)])
+def test_eevee_is_told_which_films_are_sheets_and_which_coat_a_body(preset, method, refracts):
+    material = api.create_material(preset=preset)
+    assert (material.surface_render_method, material.use_raytrace_refraction) == (method, refracts)
+
+
 LOOKS = {"titanium": {"preset": "anodised_titanium", "roughness": 0.4},
          "soap": {"preset": "soap_bubble", "roughness": 0.3},
          "two slopes": {"preset": "heat_tinted_steel", "roughness": 0.35, "second_weight": 0.4},

@@ -10,10 +10,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from .. import compat
-from ..datablocks.groups import group_id, is_bringing, merge_groups, settled
-from ..datablocks.locked import is_editable
-from ..datablocks.materials import baked_of, our_node, record_of, write
+from .. import compat, datablocks
 
 __all__ = ["STAND_IN_KEY", "attach", "detach", "renew"]
 
@@ -23,7 +20,7 @@ STAND_IN_KEY = "facet_film_stand_in"
 
 @bpy.app.handlers.persistent
 def _after_import(imported, *_):
-    if is_bringing():
+    if datablocks.groups.is_bringing():
         return
     arrived = [item.id for item in imported.import_items if item.id is not None]
     materials = [one for one in arrived if isinstance(one, bpy.types.Material) and _is_ours(one)]
@@ -31,13 +28,13 @@ def _after_import(imported, *_):
     for material in materials:
         renew(material)
     for tree in trees:
-        if group_id(tree) and is_editable(tree):
-            settled(tree)
-    merge_groups(trees)
+        if datablocks.groups.group_id(tree) and datablocks.locked.is_editable(tree):
+            datablocks.groups.settled(tree)
+    datablocks.groups.merge_groups(trees)
 
 
 def _is_ours(material):
-    return is_editable(material) and our_node(material) is not None
+    return datablocks.locked.is_editable(material) and datablocks.materials.our_node(material) is not None
 
 
 def renew(material):
@@ -47,16 +44,16 @@ def renew(material):
     from ...models.making import made, renewed
     from ..datablocks.spaces import is_foreign
     from .names import title_of
-    baked = baked_of(material)
+    baked = datablocks.materials.baked_of(material)
     if material.name != title_of(material.name) and title_of(material.name) == baked.get("title"):
         material.name = baked["title"]
     if STAND_IN_KEY in material:
         del material[STAND_IN_KEY]
-        write(material, made(preset=baked["name"], renderer=compat.renderer()))
+        datablocks.materials.write(material, made(preset=baked["name"], renderer=compat.renderer()))
     elif is_foreign(material):
         _bring(material)
     elif baked.get("conductor", {}).get("formula", compat.conductor_formula()) != compat.conductor_formula():
-        write(material, renewed(record_of(material), compat.renderer()))
+        datablocks.materials.write(material, renewed(datablocks.materials.record_of(material), compat.renderer()))
 
 
 def _bring(material):

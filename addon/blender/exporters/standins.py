@@ -15,14 +15,13 @@ from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
+from .. import datablocks
 from ..compat import working_space
-from ..datablocks.locked import is_editable, require_editable
-from ..datablocks.materials import STANDIN_KEY, our_node, record_of, remove_standin
 
 if TYPE_CHECKING:
     from ...export.standin import Standin
 
-__all__ = ["attach", "detach", "next_one", "ours", "renew", "stale", "when_export_opens"]
+__all__ = ["forget", "next_one", "ours", "renew", "stale", "when_export_opens"]
 
 ABOVE = 180
 """How far over the material's own node it is: nodes open downwards."""
@@ -44,7 +43,8 @@ def _is_stale(material):
 
 def ours():
     """The materials of this file that are ours, and may be changed."""
-    return [material for material in bpy.data.materials if is_editable(material) and our_node(material) is not None]
+    return [material for material in bpy.data.materials
+            if datablocks.locked.is_editable(material) and datablocks.materials.our_node(material) is not None]
 
 
 def renew(material: bpy.types.Material) -> Standin:
@@ -53,10 +53,10 @@ def renew(material: bpy.types.Material) -> Standin:
     Raises FacetFilmError for a material that is not ours, and for one that is linked.
     """
     from .told import told_of
-    require_editable(material)
+    datablocks.locked.require_editable(material)
     stamp, found = _stamp(material), told_of(material)
-    remove_standin(material)
-    tree, node = material.node_tree, our_node(material)
+    datablocks.materials.remove_standin(material)
+    tree, node = material.node_tree, datablocks.materials.our_node(material)
     frame, shader, output = (_new(tree, kind, stamp) for kind in (
         "NodeFrame", "ShaderNodeBsdfPrincipled", "ShaderNodeOutputMaterial"))
     frame.label = iface_("For exporters, not rendered")
@@ -72,7 +72,7 @@ def renew(material: bpy.types.Material) -> Standin:
 
 def _new(tree, kind, stamp):
     node = tree.nodes.new(kind)
-    node[STANDIN_KEY] = stamp
+    node[datablocks.materials.STANDIN_KEY] = stamp
     node.select = False
     return node
 
@@ -88,19 +88,20 @@ def _set(shader, standin):
 
 def _held(material):
     """The stamp of the stand-in that a material has, or ""."""
-    return next((node[STANDIN_KEY] for node in material.node_tree.nodes if STANDIN_KEY in node), "")
+    key = datablocks.materials.STANDIN_KEY
+    return next((node[key] for node in material.node_tree.nodes if key in node), "")
 
 
 def _stamp(material):
     """Of what a stand-in is made from."""
-    said = f"{record_of(material).to_json()} {working_space()}"
+    said = f"{datablocks.materials.record_of(material).to_json()} {working_space()}"
     return hashlib.sha256(said.encode()).hexdigest()[:16]
 
 
 # --- File, Export ---
 
-def when_export_opens(_menu, _context):
-    """Drawn with the menu: nothing is shown, and what is stale is made anew while the user chooses a format."""
+def when_export_opens():
+    """What is stale is made anew while the user chooses a format."""
     if not bpy.app.timers.is_registered(next_one):
         bpy.app.timers.register(next_one)
 
@@ -111,7 +112,7 @@ def next_one():
         _waiting.extend(material.name for material in stale())
     if _waiting:
         material = bpy.data.materials.get(_waiting.pop())
-        if material is not None and our_node(material) is not None:
+        if material is not None and datablocks.materials.our_node(material) is not None:
             _say(material, renew(material))
     return 0.0 if _waiting else None
 
@@ -123,14 +124,8 @@ def _say(material, standin):
             print(f"{material.name}, {form}: {rpt_(sentence)}")
 
 
-def attach():
-    """Have File, Export call."""
-    bpy.types.TOPBAR_MT_file_export.append(when_export_opens)
-
-
-def detach():
-    """Take it back."""
-    bpy.types.TOPBAR_MT_file_export.remove(when_export_opens)
+def forget():
+    """Make no more, where some are due."""
     _waiting.clear()
     if bpy.app.timers.is_registered(next_one):
         bpy.app.timers.unregister(next_one)

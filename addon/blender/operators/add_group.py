@@ -4,8 +4,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ..datablocks.groups import node_group
-from ..datablocks.locked import why_locked
+from .. import datablocks
 from ..settings import preset_property
 
 __all__ = ["CLASSES"]
@@ -35,8 +34,8 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
         if tree is None or tree.bl_idname != "ShaderNodeTree":
             cls.poll_message_set(rpt_("Open a material in the Shader Editor first"))
             return False
-        if why_locked(space.id) or why_locked(tree):
-            cls.poll_message_set(why_locked(space.id) or why_locked(tree))
+        if datablocks.locked.why_locked(space.id) or datablocks.locked.why_locked(tree):
+            cls.poll_message_set(datablocks.locked.why_locked(space.id) or datablocks.locked.why_locked(tree))
             return False
         return True
 
@@ -55,7 +54,7 @@ class FACET_FILM_OT_add_group(bpy.types.Operator):
         space = context.space_data
         try:
             ramp = self.group == RAMP_ID
-            group = create_fresnel_ramp(self.preset) if ramp else node_group(self.group)
+            group = create_fresnel_ramp(self.preset) if ramp else datablocks.groups.node_group(self.group)
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}

@@ -4,8 +4,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ..datablocks.materials import realisation_of
-from ..missing import IN_EVERY_ENGINE
+from .. import datablocks
 from ..settings import OWN_FINISH, preferences, preset_property, viewing_of
 from .targets import TO, OnObjects, Put, put, put_in, put_said, why_not_on
 
@@ -44,12 +43,13 @@ def maker(context, preset):
     from ...finishes.feeding import takes
     from ...models import DEFAULT, named
     from ...models.making import USUAL
+    from ..missing import IN_EVERY_ENGINE
     resolved = resolve(preset)
     model = named(resolved.preset.model or DEFAULT)
     viewing = viewing_of(context.window_manager.facet_film)
 
     def make(material):
-        had = realisation_of(material)
+        had = datablocks.materials.realisation_of(material)
         wanted = preferences().realisation if had is None or had in IN_EVERY_ENGINE else had
         realisation = wanted if wanted in model.realisations else USUAL
         finish = preferences().finish if had is None and takes(model) else OWN_FINISH

@@ -4,10 +4,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from .. import compat
-from ..datablocks.groups import group_id
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import found_in, our_node, record_of, record_of_node, write, write_node
+from .. import compat, datablocks
 from ..settings import Viewing, preset_property, viewing_of
 
 __all__ = ["CLASSES", "takes_presets", "write_preset"]
@@ -16,12 +13,12 @@ __all__ = ["CLASSES", "takes_presets", "write_preset"]
 def takes_presets(node):
     """Whether a node takes presets: one that renders a material of ours, or a ramp."""
     tree = getattr(node, "node_tree", None)
-    return _is_ramp(tree) or found_in(tree) is not None
+    return _is_ramp(tree) or datablocks.materials.found_in(tree) is not None
 
 
 def _is_ramp(tree):
     from ..datablocks.ramps import RAMP_ID
-    return group_id(tree) == RAMP_ID
+    return datablocks.groups.group_id(tree) == RAMP_ID
 
 
 def write_preset(node, preset, viewing, owner=None):
@@ -39,12 +36,13 @@ def write_preset(node, preset, viewing, owner=None):
         node.node_tree = create_fresnel_ramp(preset, **viewing)
         node.label = node.node_tree.name
         return
-    _, realisation = found_in(node.node_tree)
+    _, realisation = datablocks.materials.found_in(node.node_tree)
     record = made(preset=preset, realisation=realisation, renderer=compat.renderer(), viewing=viewing)
-    if isinstance(owner, bpy.types.Material) and our_node(owner) == node:
-        write(owner, kept_finish(record_of(owner), record))
+    materials = datablocks.materials
+    if isinstance(owner, bpy.types.Material) and materials.our_node(owner) == node:
+        materials.write(owner, kept_finish(materials.record_of(owner), record))
     else:
-        write_node(node.id_data, node, kept_finish(record_of_node(node), record))
+        materials.write_node(node.id_data, node, kept_finish(materials.record_of_node(node), record))
 
 
 class FACET_FILM_OT_apply_to_node(Viewing, bpy.types.Operator):
@@ -62,7 +60,7 @@ class FACET_FILM_OT_apply_to_node(Viewing, bpy.types.Operator):
         node = getattr(context, "active_node", None)
         reason = "" if takes_presets(node) else rpt_("Select a group node of Facet & Film first")
         if not reason:
-            reason = why_locked(context.space_data.id) or why_locked(node.id_data)
+            reason = datablocks.locked.why_locked(context.space_data.id) or datablocks.locked.why_locked(node.id_data)
         if reason:
             cls.poll_message_set(reason)
         return not reason

@@ -4,8 +4,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import is_measured
+from .. import datablocks
 from ..settings import Viewing, preset_property, realisation_property, viewing_of
 from .targets import OnObjects, active_material, put, put_said, said_of
 
@@ -47,8 +46,8 @@ class FACET_FILM_OT_rebake(Viewing, bpy.types.Operator):
     def poll(cls, context):
         """Needs a material of this file with a measurement."""
         material = active_material(context)
-        reason = why_locked(material) if material else ""
-        if material is None or not is_measured(material):
+        reason = datablocks.locked.why_locked(material) if material else ""
+        if material is None or not datablocks.materials.is_measured(material):
             reason = rpt_("Bake a measured material first: there is nothing to bake again")
         if reason:
             cls.poll_message_set(reason)

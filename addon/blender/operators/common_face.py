@@ -7,9 +7,7 @@ from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ..datablocks import materials
-from ..datablocks.locked import why_locked
-from ..datablocks.wet_faces import remove_faces, wet_faces
+from .. import datablocks
 from .targets import active_material, put_in, slot_for_faces, to_faces
 
 __all__ = ["AIR", "CLASSES", "is_clear", "shown_outside"]
@@ -21,15 +19,16 @@ _items = []
 
 def is_clear(material):
     """Whether a material is a clear body of ours, whose faces can be against another."""
-    model = materials.model_of(material)
+    model = datablocks.materials.model_of(material)
     return model is not None and bool(model.index_outside)
 
 
 def shown_outside(material):
     """What a clear material's faces are against, in a word: air, or its index."""
-    model = materials.model_of(material)
+    model = datablocks.materials.model_of(material)
     name = next(row.socket for row in model.parameters.TABLE if row.name == model.index_outside)
-    index = next(socket.default_value for socket in materials.our_node(material).inputs if socket.name == name)
+    inputs = datablocks.materials.our_node(material).inputs
+    index = next(socket.default_value for socket in inputs if socket.name == name)
     return iface_("Air") if index == 1.0 else f"n = {index:.3f}"
 
 
@@ -87,7 +86,8 @@ def _against(inside, outside, own):
     from ...models.touching import touching
     if own is None:
         return common_face(inside, outside)
-    materials.write(own, touching(materials.record_of(inside), outside and materials.record_of(outside)))
+    record_of = datablocks.materials.record_of
+    datablocks.materials.write(own, touching(record_of(inside), outside and record_of(outside)))
     return own
 
 
@@ -97,6 +97,7 @@ def _why_not_touch(context):
         return rpt_("Choose a clear material first, such as water: it is what the face's normals point out of")
     if target is None or target.active_material != material:
         return rpt_("Select the object whose face it is")
+    why_locked = datablocks.locked.why_locked
     return why_locked(material) or why_locked(target) or why_locked(target.data)
 
 
@@ -119,7 +120,7 @@ faces of the water on the glass get their material, and the glass's below them g
     def execute(self, context):
         """Find the faces, give them their material, and take away those that they cover."""
         inner, outer = _bodies(context)
-        wet = wet_faces(inner, outer)
+        wet = datablocks.wet_faces.wet_faces(inner, outer)
         if not wet.inner:
             self.report({"ERROR"}, rpt_(
                 "No face of {:s} lies on {:s} with its normal the other way: duplicate the wet faces of the one, flip "
@@ -129,7 +130,7 @@ faces of the water on the glass get their material, and the glass's below them g
         inner.data.materials.append(made)
         for number in wet.inner:
             inner.data.polygons[number].material_index = len(inner.data.materials) - 1
-        remove_faces(outer.data, wet.outer)
+        datablocks.wet_faces.remove_faces(outer.data, wet.outer)
         self.report(*_said(made, inner, outer, wet))
         return {"FINISHED"}
 
@@ -149,8 +150,8 @@ def _why_not_common(context):
     for target in both:
         if target.active_material is None or not is_clear(target.active_material):
             return rpt_("{:s} has no clear material: give it one first, such as glass or water").format(target.name)
-        if why_locked(target) or why_locked(target.data):
-            return why_locked(target) or why_locked(target.data)
+        if datablocks.locked.why_locked(target) or datablocks.locked.why_locked(target.data):
+            return datablocks.locked.why_locked(target) or datablocks.locked.why_locked(target.data)
     return ""
 
 

@@ -7,7 +7,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
 from ...models import all_models
-from ..datablocks.materials import baked_of, finish_node, model_of
+from .. import datablocks
 from .targets import active_material
 
 __all__ = ["CLASSES"]
@@ -39,7 +39,8 @@ class FACET_FILM_OT_export(bpy.types.Operator):
     def poll(cls, context):
         """Needs a material of ours that a preset was baked into."""
         material = active_material(context)
-        if material is None or model_of(material) is None or not baked_of(material):
+        materials = datablocks.materials
+        if material is None or materials.model_of(material) is None or not materials.baked_of(material):
             cls.poll_message_set(rpt_("Bake a measured material first: there is nothing to export"))
             return False
         return True
@@ -47,9 +48,9 @@ class FACET_FILM_OT_export(bpy.types.Operator):
     def invoke(self, context, _event):
         """Ask for the file."""
         material = active_material(context)
-        form = model_of(material).forms.get(self.form)
+        form = datablocks.materials.model_of(material).forms.get(self.form)
         ending = form.ending if form else ".txt"
-        self.filepath = baked_of(material)["name"].translate(NOT_IN_NAMES) + ending
+        self.filepath = datablocks.materials.baked_of(material)["name"].translate(NOT_IN_NAMES) + ending
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
@@ -63,7 +64,7 @@ class FACET_FILM_OT_export(bpy.types.Operator):
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}
         said = rpt_("Wrote {:s}").format(str(written))
-        if finish_node(active_material(context)) is not None:
+        if datablocks.materials.finish_node(active_material(context)) is not None:
             said += rpt_("; the marks of the finish stay in Blender, its roughness is in it")
         self.report({"INFO"}, said)
         return {"FINISHED"}

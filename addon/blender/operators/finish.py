@@ -5,8 +5,7 @@ from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import finish_of, model_of
+from .. import datablocks
 from ..settings import FINISH_ITEMS, OWN_FINISH, finish_property
 from .targets import active_material
 
@@ -16,7 +15,7 @@ __all__ = ["CLASSES", "shown_finish", "why_not"]
 
 def shown_finish(material):
     """What a material's finish is called in the interface's language."""
-    name = finish_of(material) or OWN_FINISH
+    name = datablocks.materials.finish_of(material) or OWN_FINISH
     return iface_(next(title for item, title, _ in FINISH_ITEMS if item == name))
 
 
@@ -53,12 +52,12 @@ class FACET_FILM_OT_apply_finish(bpy.types.Operator):
 def why_not(material):
     """Why a material takes no finish, or an empty text."""
     from ...finishes.feeding import takes
-    model = model_of(material)
+    model = datablocks.materials.model_of(material)
     if model is None:
         return rpt_("Bake a preset first: this material is not one of Facet & Film")
     if not takes(model):
         return rpt_("This model has no roughness that a finish could vary")
-    return why_locked(material)
+    return datablocks.locked.why_locked(material)
 
 
 CLASSES = (FACET_FILM_OT_apply_finish,)

@@ -10,8 +10,7 @@ from bpy.app.translations import pgettext_n as n_
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from .. import compat
-from ..datablocks.materials import create
+from .. import compat, datablocks
 from ..settings import realisation_property
 from .targets import OnObjects, put
 from .user_presets import FOLDER, preset_from, preset_text
@@ -164,7 +163,7 @@ RGL-EPFL, .binary of MERL, or points as text. Takes a few seconds; Esc stops it"
     def _apply(self, context):
         """Put the material in the slots, and save it."""
         record = self._fit.record(self.realisation, compat.renderer())
-        done = put(context, lambda material: create(record, material=material))
+        done = put(context, lambda material: datablocks.materials.create(record, material=material))
         said = rpt_("{:s} fitted, CIEDE2000 {:.2f} on average: {:s}").format(
             self._fit.title, self._fit.mean, iface_(self._fit.verdict))
         if self.save:

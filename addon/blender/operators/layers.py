@@ -6,9 +6,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from .. import compat
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import model_of, record_of, write
+from .. import compat, datablocks
 from ..layers import say_layers
 from .targets import active_material, said_of
 
@@ -34,8 +32,8 @@ class FACET_FILM_OT_bake_layers(bpy.types.Operator):
     def poll(cls, context):
         """Needs a material of this file that is made of layers."""
         material = active_material(context)
-        model = model_of(material)
-        reason = why_locked(material) if material else ""
+        model = datablocks.materials.model_of(material)
+        reason = datablocks.locked.why_locked(material) if material else ""
         if model is None or not model.made_of:
             reason = rpt_("Choose a material that is made of layers first, such as anodised titanium")
         if reason:
@@ -48,7 +46,9 @@ class FACET_FILM_OT_bake_layers(bpy.types.Operator):
         material = active_material(context)
         try:
             with _Progress(context.window_manager) as told:
-                write(material, of_other_words(record_of(material), self.text, compat.renderer(), progress=told))
+                before = datablocks.materials.record_of(material)
+                datablocks.materials.write(
+                    material, of_other_words(before, self.text, compat.renderer(), progress=told))
         except FacetFilmError as error:
             self.report({"ERROR"}, error.said(rpt_))
             return {"CANCELLED"}

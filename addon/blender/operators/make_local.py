@@ -3,10 +3,8 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
+from .. import datablocks
 from ..assets.imported import renew
-from ..datablocks.groups import merge_groups
-from ..datablocks.locked import is_editable, why_locked
-from ..datablocks.materials import our_node
 from .targets import active_material
 
 __all__ = ["CLASSES"]
@@ -23,7 +21,8 @@ class FACET_FILM_OT_make_local(bpy.types.Operator):
     def poll(cls, context):
         """Needs a material of ours that is linked or overridden, in a slot that takes another."""
         material, target = active_material(context), context.active_object
-        if material is None or our_node(material) is None or is_editable(material):
+        ours = material is not None and datablocks.materials.our_node(material) is not None
+        if not ours or datablocks.locked.is_editable(material):
             cls.poll_message_set(rpt_("This material is the file's own already"))
             return False
         if target is not None and target.active_material == material and _why_not(target):
@@ -48,7 +47,7 @@ def localised(material):
         if tree.library is not None:
             tree.make_local()
     renew(local)
-    merge_groups()
+    datablocks.groups.merge_groups()
     return local
 
 
@@ -66,7 +65,7 @@ def _why_not(target):
     """Why another material cannot be put in the active slot, or an empty text."""
     held_by_data = target.active_material_index < len(target.material_slots) and (
         target.material_slots[target.active_material_index].link == "DATA")
-    return why_locked(target) or (why_locked(target.data) if held_by_data else "")
+    return datablocks.locked.why_locked(target) or (datablocks.locked.why_locked(target.data) if held_by_data else "")
 
 
 CLASSES = (FACET_FILM_OT_make_local,)

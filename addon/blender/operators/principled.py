@@ -4,8 +4,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import our_node
+from .. import datablocks
 from .targets import active_material
 
 __all__ = ["CLASSES"]
@@ -23,11 +22,11 @@ textures, for other engines and exporters. The material itself stays in the file
     def poll(cls, context):
         """Needs a material of ours on an object of this file."""
         material, target = active_material(context), context.active_object
-        if material is None or our_node(material) is None:
+        if material is None or datablocks.materials.our_node(material) is None:
             cls.poll_message_set(rpt_("Bake a preset first: this material is not one of Facet & Film"))
             return False
-        if target is not None and why_locked(target):
-            cls.poll_message_set(why_locked(target))
+        if target is not None and datablocks.locked.why_locked(target):
+            cls.poll_message_set(datablocks.locked.why_locked(target))
             return False
         return True
 

@@ -6,9 +6,7 @@ from bpy.app.translations import pgettext_tip as tip_
 
 from ...errors import FacetFilmError
 from ...models.realisations import REALISATIONS
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import model_of
-from ..missing import shown_name, what_is_missing
+from .. import datablocks
 from ..settings import realisation_property
 from .targets import active_material
 
@@ -33,17 +31,18 @@ class FACET_FILM_OT_switch_realisation(bpy.types.Operator):
     def poll(cls, context):
         """Needs a material of ours in this file."""
         material = active_material(context)
-        if material is None or model_of(material) is None:
+        if material is None or datablocks.materials.model_of(material) is None:
             cls.poll_message_set(rpt_("Bake a preset first: this material is not one of Facet & Film"))
             return False
-        if why_locked(material):
-            cls.poll_message_set(why_locked(material))
+        if datablocks.locked.why_locked(material):
+            cls.poll_message_set(datablocks.locked.why_locked(material))
             return False
         return True
 
     def execute(self, context):
         """Switch, and say what the realisation needs."""
         from ...api import switch_realisation
+        from ..missing import shown_name, what_is_missing
         material = active_material(context)
         try:
             switch_realisation(material, self.realisation)

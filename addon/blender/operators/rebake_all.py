@@ -4,9 +4,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from .. import compat
-from ..datablocks.locked import is_editable
-from ..datablocks.materials import is_measured, our_node, record_of, write
+from .. import compat, datablocks
 from ..settings import viewing_of
 
 __all__ = ["CLASSES", "OneByOne"]
@@ -70,7 +68,7 @@ class OneByOne:
 
     def _write(self):
         for material, record in self._baked:
-            write(material, record)
+            datablocks.materials.write(material, record)
         self.report({"INFO"}, rpt_("{:d} materials baked again").format(len(self._baked)))
         return {"FINISHED"}
 
@@ -104,13 +102,14 @@ and then nothing is changed"""
     def baked(self, material):
         """The record in the chosen light."""
         from ...models.making import rebaked  # which loads numpy, and enabling does not wait for that
-        return rebaked(record_of(material), compat.renderer(), self._viewing)
+        return rebaked(datablocks.materials.record_of(material), compat.renderer(), self._viewing)
 
 
 def measured_materials():
     """The materials of this file that hold a measurement and may be changed."""
     for material in bpy.data.materials:
-        if is_editable(material) and is_measured(material) and our_node(material) is not None:
+        measured = datablocks.locked.is_editable(material) and datablocks.materials.is_measured(material)
+        if measured and datablocks.materials.our_node(material) is not None:
             yield material
 
 

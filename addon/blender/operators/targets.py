@@ -2,14 +2,11 @@
 afterwards.
 """
 
-from typing import NamedTuple
-
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from ..datablocks.locked import is_editable, why_locked
-from ..datablocks.materials import baked_of, our_node
+from .. import datablocks
 
 __all__ = ["OnObjects", "Put", "TO", "active_material", "put", "put_in", "put_said", "said_of", "slot_for_faces",
            "to_faces", "why_not", "why_not_on"]
@@ -26,12 +23,11 @@ NAMED = 3
 """Of objects that are told by their names."""
 
 
-class Put(NamedTuple):
+class Put:
     """What was put where: the material, the objects that have it now, and those that could not take it."""
 
-    material: bpy.types.Material
-    objects: list
-    left_out: list
+    def __init__(self, material, objects, left_out):
+        self.material, self.objects, self.left_out = material, objects, left_out
 
 
 class OnObjects:
@@ -84,7 +80,7 @@ def put_in(slots, make):
 
 def is_editable_material(material):
     """Whether there is a material that may be changed."""
-    return material is not None and is_editable(material)
+    return material is not None and datablocks.locked.is_editable(material)
 
 
 def to_faces(target):
@@ -123,7 +119,7 @@ def _assign_to_faces(target):
 
 def _may_be_made_over(material, slots):
     """Whether a material is ours, of this file, and in no slot but these."""
-    if not is_editable_material(material) or our_node(material) is None:
+    if not is_editable_material(material) or datablocks.materials.our_node(material) is None:
         return False
     owners = {(_owner(target, number), number) for target, number in slots
               if target.material_slots[number].material == material}
@@ -136,7 +132,7 @@ def _owner(target, number):
 
 def _keep(material):
     """What someone made by hand does not go with the file when nothing uses it any more."""
-    if is_editable_material(material) and not material.users and our_node(material) is None:
+    if is_editable_material(material) and not material.users and datablocks.materials.our_node(material) is None:
         from ..datablocks.untouched import is_untouched
         material.use_fake_user = not is_untouched(material)
 
@@ -169,7 +165,7 @@ def why_not(context):
 def why_not_on(target):
     if not hasattr(target.data, "materials"):
         return rpt_("{:s} takes no materials: select a mesh, curve, surface, text or volume").format(target.name)
-    return why_locked(target) or why_locked(target.data)
+    return datablocks.locked.why_locked(target) or datablocks.locked.why_locked(target.data)
 
 
 def put_said(done):
@@ -186,7 +182,7 @@ def put_said(done):
 
 def said_of(material):
     """One sentence on what was baked."""
-    baked = baked_of(material)
+    baked = datablocks.materials.baked_of(material)
     if "conductor" not in baked:
         return f"{baked['title']}: {baked['note']}"
     said = rpt_("{:s} baked from {:s}: largest CIEDE2000 of the fit {:.2f}").format(

@@ -1,6 +1,5 @@
 """Presets of the user's own, kept by Blender's preset system in the user's folder, where updates leave them."""
 
-import json
 from pathlib import Path
 
 import bpy
@@ -9,8 +8,7 @@ from bl_ui.utils import PresetPanel
 from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
-from .. import compat
-from ..datablocks.materials import create, model_of, record_of
+from .. import compat, datablocks
 from .targets import OnObjects, active_material, put, put_said
 
 __all__ = ["CLASSES", "draw_header", "preset_text", "preset_from"]
@@ -22,11 +20,13 @@ FIRST_LINE = "# A material of Facet & Film, as JSON in a comment of one line.\n#
 
 def preset_text(material):
     """All that makes a material of ours, as the text of a preset file."""
-    return FIRST_LINE + record_of(material).to_json() + "\n"
+    return FIRST_LINE + datablocks.materials.record_of(material).to_json() + "\n"
 
 
 def preset_from(text):
     """The Record in the text of a preset file.  Raises FacetFilmError for another text."""
+    import json
+
     from ...models.record import from_dict
     try:
         held = json.loads(text.split("#", 2)[2])
@@ -37,6 +37,8 @@ def preset_from(text):
 
 def of_0_1_0(held):
     """What 0.1.0 wrote, as :func:`addon.models.record.from_dict` takes it."""
+    import json
+
     from ...models.making import made
     from ...models.record import from_json
     parameters = {name: _tuples(value) for name, value in held["parameters"].items()}
@@ -53,7 +55,7 @@ def material_of(text, material=None):
     from ...models.making import renewed
     from ...models.moving import moved
     renderer = compat.renderer()
-    return create(moved(renewed(preset_from(text), renderer), renderer), material=material)
+    return datablocks.materials.create(moved(renewed(preset_from(text), renderer), renderer), material=material)
 
 
 class FACET_FILM_PT_presets(PresetPanel, bpy.types.Panel):
@@ -84,7 +86,7 @@ class FACET_FILM_OT_save_user_preset(AddPresetBase, bpy.types.Operator):
         """Save or delete, as Blender does with its own presets."""
         removing = self.remove_name or self.remove_active
         material = active_material(context)
-        if not removing and (material is None or model_of(material) is None):
+        if not removing and (material is None or datablocks.materials.model_of(material) is None):
             self.report({"ERROR"}, rpt_("Apply a material of Facet & Film first: there is nothing to save"))
             return {"CANCELLED"}
         return super().execute(context)

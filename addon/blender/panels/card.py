@@ -5,13 +5,10 @@ and wherever else one looks for a material.
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
+from .. import datablocks, panels
 from ..assets import library
-from ..datablocks.locked import is_editable
-from ..datablocks.materials import finish_node, model_of, our_node
 from ..operators.finish import shown_finish
 from ..operators.targets import active_material
-from . import load_ahead
-from .drawing import described, draw_socket
 from .shelves import PICKER
 
 __all__ = ["attach", "detach", "draw_card", "takes_materials"]
@@ -24,7 +21,8 @@ FACE = ("Roughness", "Tint")
 
 def draw_card(layout, context):
     """The picture on the left, which a click opens; other ways to a material on the right."""
-    load_ahead.when_idle()
+    from .load_ahead import when_idle
+    when_idle()
     material = active_material(context)
     shown = library.is_shown()
     split = layout.split(factor=PICTURE_SHARE)
@@ -33,30 +31,30 @@ def draw_card(layout, context):
     column = split.column()
     column.operator("facet_film.search", text="Search", icon="VIEWZOOM")
     column.operator("facet_film.shelf", text="Shelf", icon="ASSET_MANAGER")
-    if material is not None and not is_editable(material):
+    if material is not None and not datablocks.locked.is_editable(material):
         column.operator("facet_film.make_local", icon="LIBRARY_DATA_DIRECT")
     if not shown:
         layout.operator("facet_film.choose", text="Choose a Material", icon="MATERIAL")
-    if material is not None and is_editable(material):
+    if material is not None and datablocks.locked.is_editable(material):
         _draw_face(layout.column(align=True), material)
 
 
 def _draw_face(column, material):
     """What one turns first, of a material of ours: its finish, and what the table calls Roughness and Tint."""
-    node = our_node(material)
+    node = datablocks.materials.our_node(material)
     if node is None:
         return
     from ...finishes.feeding import takes
-    if takes(model_of(material)):
+    if takes(datablocks.materials.model_of(material)):
         shown = iface_("Finish: {:s}").format(shown_finish(material))
         column.operator_menu_enum("facet_film.apply_finish", "finish", text=shown, translate=False)
-    known = described(node.node_tree)
-    marks = finish_node(material)
+    known = panels.drawing.described(node.node_tree)
+    marks = datablocks.materials.finish_node(material)
     varied = {socket.name: socket for socket in marks.inputs} if marks is not None else {}
     for socket in node.inputs:
         if socket.name in FACE and socket.name in known:
             turned = varied.get(socket.name, socket)
-            draw_socket(column, marks if turned is not socket else node, turned, known[socket.name])
+            panels.drawing.draw_socket(column, marks if turned is not socket else node, turned, known[socket.name])
 
 
 def _draw_picture(column, material, opens):

@@ -5,7 +5,7 @@ import textwrap
 
 from bpy.app.translations import pgettext_iface as iface_
 
-from ..datablocks.groups import group_id, model_of_group
+from .. import datablocks
 
 __all__ = ["draw_facts", "draw_parameters", "draw_sentence", "draw_socket"]
 
@@ -47,8 +47,8 @@ def draw_facts(layout, facts, region=None):
 
 def described(tree):
     """{socket's name: its addon.models.parameters.Socket} of one of our groups."""
-    identifier = group_id(tree)
-    model = model_of_group(identifier)
+    identifier = datablocks.groups.group_id(tree)
+    model = datablocks.groups.model_of_group(identifier)
     return _described(model, identifier) if model else {}
 
 
@@ -76,7 +76,7 @@ def draw_parameters(layout, node):
 
 def _closed_panel(layout, node, title):
     """The column of a panel within a panel, or None while it is closed."""
-    header, body = layout.panel(f"facet_film_{group_id(node.node_tree)}_{title}", default_closed=True)
+    header, body = layout.panel(f"facet_film_{datablocks.groups.group_id(node.node_tree)}_{title}", default_closed=True)
     header.label(text=iface_(title), translate=False)
     return body
 

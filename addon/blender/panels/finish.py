@@ -2,10 +2,8 @@
 
 import bpy
 
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import finish_node, model_of
+from .. import datablocks, panels
 from ..operators.finish import shown_finish
-from .drawing import draw_parameters
 from .material import MaterialPanel
 
 __all__ = ["CLASSES"]
@@ -20,7 +18,7 @@ class FACET_FILM_PT_finish(MaterialPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         """Shown for materials of ours whose model has a roughness."""
-        model = model_of(context.material)
+        model = datablocks.materials.model_of(context.material)
         if model is None:
             return False
         from ...finishes.feeding import takes
@@ -29,11 +27,11 @@ class FACET_FILM_PT_finish(MaterialPanel, bpy.types.Panel):
     def draw(self, context):
         """A menu of the finishes, and the sockets of the node that leaves the marks."""
         material, layout = context.material, self.layout
-        layout.enabled = not why_locked(material)
+        layout.enabled = not datablocks.locked.why_locked(material)
         layout.operator_menu_enum("facet_film.apply_finish", "finish", text=shown_finish(material), translate=False)
-        node = finish_node(material)
+        node = datablocks.materials.finish_node(material)
         if node is not None:
-            draw_parameters(layout, node)
+            panels.drawing.draw_parameters(layout, node)
 
 
 CLASSES = (FACET_FILM_PT_finish,)

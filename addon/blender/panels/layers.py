@@ -3,12 +3,8 @@
 import bpy
 from bpy.app.translations import pgettext_n as n_
 
-from ..assets.swatches import swatch_icon
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import model_of, our_node
-from ..datablocks.pictures import image_in, key_of
+from .. import datablocks, panels
 from ..layers import follow, made_of, why_not
-from .drawing import draw_sentence
 from .material import MaterialPanel
 
 __all__ = ["CLASSES"]
@@ -50,13 +46,13 @@ class FACET_FILM_PT_layers(MaterialPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         """Shown for materials of ours that are made of what a text says."""
-        model = model_of(context.material)
+        model = datablocks.materials.model_of(context.material)
         return model is not None and bool(model.made_of)
 
     def draw(self, context):
         """The colours, the list, the text, and Bake."""
         material, settings, layout = context.material, context.window_manager.facet_film, self.layout
-        layout.enabled = not why_locked(material)
+        layout.enabled = not datablocks.locked.why_locked(material)
         follow(material)
         _draw_swatch(layout, material)
         if settings.is_layered:
@@ -64,7 +60,7 @@ class FACET_FILM_PT_layers(MaterialPanel, bpy.types.Panel):
         layout.prop(settings, "layers_text", text="")
         trouble = why_not(material, settings.layers_text)
         if trouble:
-            draw_sentence(layout, trouble, "ERROR", context.region)
+            panels.drawing.draw_sentence(layout, trouble, "ERROR", context.region)
         row = layout.row()
         row.enabled = not trouble
         changed = settings.layers_text != made_of(material)
@@ -103,7 +99,9 @@ def _draw_layer(column, layer):
 
 def _draw_swatch(layout, material):
     """Its colours, as soon as they are drawn; what the strip's sides are."""
-    found = swatch_icon(material, key_of(image_in(our_node(material).node_tree)))
+    from ..assets.swatches import swatch_icon
+    image = datablocks.pictures.image_in(datablocks.materials.our_node(material).node_tree)
+    found = swatch_icon(material, datablocks.pictures.key_of(image))
     column = layout.column(align=True)
     column.template_icon(found.icon if found else 0, scale=SWATCH_SCALE)  # an empty one keeps its place until then
     row = column.row()

@@ -4,13 +4,10 @@ import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
 from ...models.realisations import REALISATIONS
-from ..datablocks.locked import why_locked
-from ..datablocks.materials import model_of, our_node, realisation_of
-from ..missing import shown_name, what_is_missing
+from .. import datablocks, panels
 from ..operators.common_face import is_clear, shown_outside
 from ..operators.user_presets import draw_header
 from .card import takes_materials
-from .drawing import draw_parameters, draw_sentence
 
 __all__ = ["CLASSES", "MaterialPanel", "draw_state"]
 
@@ -40,27 +37,30 @@ class FACET_FILM_PT_material(MaterialPanel, bpy.types.Panel):
     def draw(self, context):
         """How the material that is there renders; of another, where ours are."""
         material = context.material
-        if realisation_of(material) is None and not (material is not None and why_locked(material)):
+        locked = material is not None and datablocks.locked.why_locked(material)
+        if datablocks.materials.realisation_of(material) is None and not locked:
             self.layout.label(text="Choose a material by its picture, above", icon="INFO")
         draw_state(self.layout, context, material)
 
 
 def draw_state(layout, context, material):
     """How a material of ours renders and what it lacks for that, or why it cannot be changed."""
-    if material is not None and why_locked(material):
-        draw_sentence(layout, why_locked(material), "LIBRARY_DATA_DIRECT", context.region)
-        if our_node(material) is not None:
+    locked = datablocks.locked.why_locked(material) if material is not None else ""
+    if locked:
+        panels.drawing.draw_sentence(layout, locked, "LIBRARY_DATA_DIRECT", context.region)
+        if datablocks.materials.our_node(material) is not None:
             layout.operator("facet_film.make_local", icon="LIBRARY_DATA_OVERRIDE_NONEDITABLE")
-    realisation = realisation_of(material)
+    realisation = datablocks.materials.realisation_of(material)
     if realisation is None:
         return
     draw_space(layout, context, material)
+    from ..missing import what_is_missing
     missing = what_is_missing(context.scene, realisation)
     if missing:
-        draw_sentence(layout, missing, "ERROR", context.region)
+        panels.drawing.draw_sentence(layout, missing, "ERROR", context.region)
         if REALISATIONS[realisation].osl and context.scene.render.engine == "CYCLES":
             layout.prop(context.scene.cycles, "shading_system")
-    _draw_realisations(layout, model_of(material), realisation)
+    _draw_realisations(layout, datablocks.materials.model_of(material), realisation)
     if is_clear(material):
         against = iface_("Against: {:s}").format(shown_outside(material))
         layout.operator_menu_enum("facet_film.touch", "outside", text=against, translate=False)
@@ -68,6 +68,7 @@ def draw_state(layout, context, material):
 
 def _draw_realisations(layout, model, current):
     """A button for each way in which the model can render, the current one pressed."""
+    from ..missing import shown_name
     column = layout.column(align=True)
     column.label(text="Renders by")
     grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
@@ -82,7 +83,7 @@ def draw_space(layout, context, material):
     from ..datablocks.spaces import said_of_space
     said = said_of_space(material)
     if said:
-        draw_sentence(layout, said, "ERROR", context.region)
+        panels.drawing.draw_sentence(layout, said, "ERROR", context.region)
         layout.operator("facet_film.match_space", icon="COLOR")
 
 
@@ -95,12 +96,12 @@ class FACET_FILM_PT_parameters(MaterialPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         """Shown for materials of ours."""
-        return our_node(context.material) is not None
+        return datablocks.materials.our_node(context.material) is not None
 
     def draw(self, context):
         """The group node's sockets."""
-        self.layout.enabled = not why_locked(context.material)
-        draw_parameters(self.layout, our_node(context.material))
+        self.layout.enabled = not datablocks.locked.why_locked(context.material)
+        panels.drawing.draw_parameters(self.layout, datablocks.materials.our_node(context.material))
 
 
 CLASSES = (FACET_FILM_PT_material, FACET_FILM_PT_parameters)

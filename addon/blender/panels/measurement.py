@@ -4,11 +4,9 @@ import bpy
 from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_n as n_
 
-from ..assets.thumbnails import colour_icon, strip_icon
-from ..datablocks.materials import baked_of, is_measured, model_of, our_node, realisation_of
+from .. import datablocks, panels
 from ..operators.targets import active_material
 from ..settings import copy_viewing, preferences
-from .drawing import draw_facts, draw_sentence
 from .material import MaterialPanel
 
 __all__ = ["CLASSES", "draw_measurement"]
@@ -24,13 +22,15 @@ class FACET_FILM_PT_measurement(MaterialPanel, bpy.types.Panel):
     def draw(self, context):
         """The colours and the record of the bake; the field for any material or dataset."""
         settings = context.window_manager.facet_film
-        if our_node(context.material) is not None and baked_of(context.material):
-            draw_measurement(self.layout, baked_of(context.material), context.region)
+        ours = datablocks.materials.our_node(context.material) is not None
+        baked = datablocks.materials.baked_of(context.material) if ours else {}
+        if baked:
+            draw_measurement(self.layout, baked, context.region)
         row = self.layout.row(align=True)
         row.prop(settings, "preset", text="", icon="VIEWZOOM")
         operator = row.operator("facet_film.bake_preset", text="Apply", icon="SHADING_RENDERED")
         operator.preset = settings.preset
-        operator.realisation = realisation_of(context.material) or preferences().realisation
+        operator.realisation = datablocks.materials.realisation_of(context.material) or preferences().realisation
         copy_viewing(settings, operator)
 
 
@@ -50,7 +50,7 @@ class FACET_FILM_PT_light(MaterialPanel, bpy.types.Panel):
         for name in ("illuminant", "adapt", "observer", "medium", "space", "gamut"):
             layout.prop(settings, name)
         column = layout.column(align=True)
-        if is_measured(context.material):
+        if datablocks.materials.is_measured(context.material):
             copy_viewing(settings, column.operator("facet_film.rebake", icon="FILE_REFRESH"))
         column.operator("facet_film.rebake_all", icon="FILE_REFRESH")
 
@@ -62,7 +62,7 @@ class FACET_FILM_MT_export(bpy.types.Menu):
 
     def draw(self, context):
         """An entry a form of the material's model."""
-        model = model_of(active_material(context))
+        model = datablocks.materials.model_of(active_material(context))
         for name, form in (model.forms if model else {}).items():
             self.layout.operator("facet_film.export", text=form.title).form = name
 
@@ -94,15 +94,16 @@ def draw_measurement(layout, record, region):
     """What a record of a bake says: colours, fit, source, gamut."""
     layout.label(text=record["title"], icon="MATERIAL", translate=False)
     if "conductor" not in record:
-        draw_sentence(layout, record["note"], "INFO", region)
+        panels.drawing.draw_sentence(layout, record["note"], "INFO", region)
         if "fitted" in record:
-            draw_facts(layout, facts_of_fit(record["fitted"]), region)
+            panels.drawing.draw_facts(layout, facts_of_fit(record["fitted"]), region)
         return
     _draw_colours(layout, record)
-    draw_facts(layout, facts_of(record), region)
+    panels.drawing.draw_facts(layout, facts_of(record), region)
 
 
 def _draw_colours(layout, record):
+    from ..assets.thumbnails import colour_icon, strip_icon
     row = layout.row()
     curve, space = record["fresnel"], record["space"]
     for text, icon in ((iface_("At 0°"), colour_icon(curve["rgb"][-1], space)),

@@ -3,11 +3,10 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from ..datablocks.locked import why_locked
+from .. import datablocks, panels
 from ..operators.apply_to_node import takes_presets
 from ..settings import copy_viewing
 from .card import draw_card
-from .drawing import draw_parameters, draw_sentence
 
 __all__ = ["CLASSES"]
 
@@ -47,8 +46,8 @@ class FACET_FILM_PT_node(_Tab, bpy.types.Panel):
         """A field to type in and Apply, or what to do first."""
         node = context.active_node
         if not takes_presets(node):
-            draw_sentence(self.layout, rpt_("Select a group of Facet & Film, or add one: Add, Facet & Film"), "INFO",
-                          context.region)
+            said = rpt_("Select a group of Facet & Film, or add one: Add, Facet & Film")
+            panels.drawing.draw_sentence(self.layout, said, "INFO", context.region)
             return
         settings = context.window_manager.facet_film
         self.layout.label(text=node.node_tree.name, icon="NODETREE", translate=False)
@@ -70,8 +69,8 @@ class FACET_FILM_PT_node_parameters(_Tab, bpy.types.Panel):
 
     def draw(self, context):
         """The sockets."""
-        self.layout.enabled = not why_locked(context.space_data.id)
-        draw_parameters(self.layout, context.active_node)
+        self.layout.enabled = not datablocks.locked.why_locked(context.space_data.id)
+        panels.drawing.draw_parameters(self.layout, context.active_node)
 
 
 CLASSES = (FACET_FILM_PT_node_material, FACET_FILM_PT_node, FACET_FILM_PT_node_parameters)

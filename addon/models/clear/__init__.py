@@ -64,7 +64,7 @@ MODEL = Model(
     swatch=_swatch,
     standin=_standin,
     measured=True,
-    refracts=True,
+    refracts=lambda parameters: True,
     index="ior",
     index_outside="outside",
     sheet=lambda parameters: parameters.walls == "thin",

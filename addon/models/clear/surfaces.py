@@ -6,7 +6,7 @@ from ...operands import absolute, dot, less, maximum, minimum, part, where, wide
 from ...reflectance.transmission import cos_inside, slab_reflectance, slab_transmittance, straight_path, transmittance
 from .formulas import reflectance, relative_index, sigma_of
 
-__all__ = ["FROSTED", "absorbed", "given", "sheet", "with_straight_shadows"]
+__all__ = ["FROSTED", "absorbed", "began_inside", "given", "sheet", "with_straight_shadows"]
 
 FROSTED = 1e-3
 """Roughness above which a face scatters; below, a ray leaves as a mirror or a lens sends it."""
@@ -62,7 +62,7 @@ def with_straight_shadows(builder, sockets, at, closure):
         mirror = builder.node("ShaderNodeBsdfAnisotropic", {
             "Color": r * where(at.back, straight, (1.0, 1.0, 1.0)), "Roughness": sockets.roughness,
             "Normal": at.normal}, distribution="BECKMANN")
-        shadow = shadow * (1.0 - less(FROSTED, sockets.roughness) * _began_inside(builder, at))
+        shadow = shadow * (1.0 - less(FROSTED, sockets.roughness) * began_inside(builder, at.back))
         return mixed(builder, sockets.see_through * maximum(shadow, diffuse), closure,
                      builder.add_shaders(through, mirror))
 
@@ -77,13 +77,13 @@ def _along(builder, at):
     with builder.frame("Place on a straight ray"):
         beyond = dot(builder.node("ShaderNodeNewGeometry", output="Position")
                      - builder.node("ShaderNodeObjectInfo", output="Location"), -1.0 * builder.incoming())
-        return where(_began_inside(builder, at), at.length, minimum(beyond, at.length))
+        return where(began_inside(builder, at.back), at.length, minimum(beyond, at.length))
 
 
-def _began_inside(builder, at):
-    """1.0 at the first face of a straight ray that started in the body: it is a back face."""
+def began_inside(builder, back):
+    """1.0 at the first face of a straight ray that started in the body: it is a back face, for which back is 1."""
     passed = builder.node("ShaderNodeLightPath", output="Transparent Depth")
-    return at.back * less(passed, 0.5)
+    return back * less(passed, 0.5)
 
 
 def mixed(builder, share, closure, other):

@@ -6,6 +6,7 @@ Each step comes first as what a material without a body below leaves of it, so t
 from types import SimpleNamespace
 
 from ...operands import clip, less, maximum, part, sqrt, vector, where, widen
+from ..clear.surfaces import FROSTED, began_inside
 
 __all__ = ["absorbed", "body_below", "is_blended", "look", "place_in_table"]
 
@@ -13,18 +14,20 @@ BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 
 
 @part("Body Below")
-def body_below(builder, ior_below):
+def body_below(builder, ior_below, roughness):
     """Of the clear body that a film coats, by name.
 
-    refracts  1 where light is bent: not on its straight way to a lamp, nor where all that is seen is its sheet
+    refracts  1 where light is bent: not on its straight way to a lamp, nor where all that is seen is its sheet.  A
+              frosted body bends, and so stops, shadow rays that begin in it: what it scatters inwards finds its lamps
+              by the faces that it leaves through, and so has none twice
     is_below  1 where there is a body
     index2    square of the index that light comes from, which is 1 outside
     """
     shadow, diffuse = (builder.node("ShaderNodeLightPath", output=f"Is {kind} Ray") for kind in ("Shadow", "Diffuse"))
-    straight = maximum(shadow, diffuse)
+    back = builder.node("ShaderNodeNewGeometry", output="Backfacing")
+    straight = maximum(shadow * (1.0 - less(FROSTED, roughness) * began_inside(builder, back)), diffuse)
     is_below = less(1.0, ior_below)
     refracts = is_below * (1.0 - straight)
-    back = builder.node("ShaderNodeNewGeometry", output="Backfacing")
     return SimpleNamespace(refracts=refracts, is_below=is_below,
                            index2=where(refracts * back, ior_below * ior_below, 1.0))
 

@@ -17,8 +17,7 @@ class Surface:
     turned, the table of its colours.
 
     realisation  whose sockets it has
-    closest      whether each look blends four pixels itself, as :func:`addon.models.film.lookup.look` has it; then
-                 light goes straight through a body below, too
+    closest      whether each look blends four pixels itself, as :func:`addon.models.film.lookup.look` has it
     """
 
     def __init__(self, builder, realisation, closest=False):
@@ -27,9 +26,11 @@ class Surface:
         self.n, self.v, self.n_v, self.tangent = _seen(builder, s.normal, s.tangent, s.anisotropy)
         self.m, self.second = _slopes(s.roughness, s.ratio2)
         place = place_in_table(builder, s.d, s.first, s.last, s.columns, s.rows, s.height)
-        self._below = None if closest else body_below(builder, s.ior_below)
-        more = {"columns": s.columns, "height": s.height} if closest else {
-            "is_below": self._below.is_below, "index2": self._below.index2}
+        if closest:  # which sees a body's front alone
+            self._refracts, more = less(1.0, s.ior_below), {"columns": s.columns, "height": s.height}
+        else:
+            below = body_below(builder, s.ior_below, s.roughness)
+            self._refracts, more = below.refracts, {"is_below": below.is_below, "index2": below.index2}
         self.table = SimpleNamespace(**vars(place), **more)
 
     def mixed(self, first, second):
@@ -59,12 +60,10 @@ class Surface:
     def _passage(self, colour):
         """What passes on: straight, or refracted by the body below."""
         straight = self.builder.node("ShaderNodeBsdfTransparent", {"Color": colour})
-        if self._below is None:
-            return straight
         refracted = self.builder.node("ShaderNodeBsdfRefraction", {
             "Color": colour, "IOR": self.sockets.ior_below, "Roughness": self.sockets.roughness, "Normal": self.n},
             distribution="BECKMANN")
-        return self.builder.node("ShaderNodeMixShader", {"Fac": self._below.refracts, "Shader": straight,
+        return self.builder.node("ShaderNodeMixShader", {"Fac": self._refracts, "Shader": straight,
                                                          "Shader_001": refracted})
 
 
