@@ -38,7 +38,7 @@ def test_the_library_is_current_and_holds_nothing_else():
 
 @pytest.mark.parametrize("module", ["addon/models/cook_torrance/parameters.py", "addon/models/cook_torrance/sampler.py",
                                     "addon/models/parameters.py", "addon/reflectance/slopes.py", "addon/operands.py",
-                                    "addon/nodes/builder.py", "addon/models/layered_rgb/lobes.py"])
+                                    "addon/nodes/builder.py", "addon/models/layered_rgb/pairs.py"])
 def test_the_stamp_covers_what_building_loads(module):
     """The modules that hold defaults, too."""
     assert module in json.loads(build_groups.STAMP.read_text(encoding="utf-8"))["sources"]

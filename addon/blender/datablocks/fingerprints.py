@@ -28,8 +28,8 @@ SETTINGS = {
     "ShaderNodeBsdfGlass": ("distribution",), "ShaderNodeBsdfRefraction": ("distribution",),
     "ShaderNodeTexVoronoi": ("voronoi_dimensions", "feature", "distance", "normalize"),
     "ShaderNodeAmbientOcclusion": ("samples", "inside", "only_local"),
-    "ShaderNodeLightPath": (), "ShaderNodeObjectInfo": (), "ShaderNodeFloatCurve": (), "ShaderNodeValToRGB": (),
-    "ShaderNodeFresnel": (),
+    "ShaderNodeLightPath": (), "ShaderNodeObjectInfo": (), "ShaderNodeFloatCurve": (), "ShaderNodeRGBCurve": (),
+    "ShaderNodeValToRGB": (), "ShaderNodeFresnel": (),
     "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
     "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
@@ -86,7 +86,7 @@ def _of_node(node, known):
         facts.append(node.node_tree.get(ID_KEY) or fingerprint_of_part(node.node_tree, known))
     if kind == "ShaderNodeScript" and node.script is not None:
         facts.append(hashlib.sha256(node.script.as_string().encode()).hexdigest())
-    if kind == "ShaderNodeFloatCurve":
+    if kind in ("ShaderNodeFloatCurve", "ShaderNodeRGBCurve"):  # the three of a colour are alike
         facts.append([tuple(round(x, 5) for x in point.location) for point in node.mapping.curves[0].points])
     if kind == "ShaderNodeValToRGB":  # its colours are converted where a file's space changes
         facts.append([node.color_ramp.interpolation, *(round(stop.position, 5) for stop in node.color_ramp.elements)])

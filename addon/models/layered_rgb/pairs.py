@@ -98,31 +98,35 @@ R_MORE = R_CUTS * R_SHARE + R_DENSITY - R_CUTS
 """Mean cosine of a lobe that the horizon cuts off at z deviations less its axis's, in deviations."""
 R_LOST = 1.0 / R_SHARE
 
-EDGE_STEPS, LATE = (0.0096, 0.1025), 0.1511
-EDGE_CURVE, EDGE_LEAN, EDGE_BEND = 0.6245, 1.331, 0.2672
+EDGE_STEPS, LATE = (0.0096, 0.1025), 0.1571
+EDGE_CURVE, EDGE_LEAN, EDGE_BEND = 0.6558, 1.3691, 0.253
 """Where total reflection cuts T off: inside the edge (1 - F) rises to 1 in two steps, at these offsets over √(r1²-1),
 LATE of it by the second; the edge bends away from a lobe of deviation σ by EDGE_CURVE σ² √(r1²-1)."""
-SHIFTED = SHIFT * (1.0 + -0.1805 * CUT_OFF + 0.1147 * CUT_OFF ** 2)
-KEPT_BY_FIT = KEPT * (1.0 + 0.4929 * CUT_OFF + -0.6432 * CUT_OFF ** 2)
-BEND = 0.3062 + -0.1572 * CUT_OFF + -1.124 * CUT_OFF ** 2
-SKEW_BY_EDGE = 2.233 * CUT_OFF + 1.144 * CUT_OFF ** 2
+SHIFTED = SHIFT * (1.0 + -0.181 * CUT_OFF + 0.1158 * CUT_OFF ** 2)
+KEPT_BY_FIT = KEPT * (1.0 + 0.5004 * CUT_OFF + -0.6566 * CUT_OFF ** 2)
+BEND = 0.2855 + -0.1648 * CUT_OFF + -1.144 * CUT_OFF ** 2
+SKEW_BY_EDGE = 2.2364 * CUT_OFF + 1.1982 * CUT_OFF ** 2
 """The curves of what the edge cuts off, for refraction bends the Gaussian."""
-WIDER = 5.132
+WHOLE = 0.9995
+"""Of T's albedo in closed form."""
+WIDER = 5.3071
 """How much wider than 1/(e + 2) the variance of cos^e is, times e + 2, widened by refraction."""
-X_AWAY, X_RISE, PLACE, NARROW, FADING = 1.268, 1.113, 0.9657, 1.019, 0.793
+X_AWAY, X_RISE, PLACE, NARROW, FADING = 1.2727, 1.1407, 0.9612, 1.0212, 0.969
 MOST_EXPONENT = 2.0
 """Of the interference's lobe: how far from the mean R/T is taken, how much refraction raises it, its place and variance
 over those of Gaussians, and how much it fades where 2Φ turns within it."""
-NEAR, MOST_TO_R, MOST_TAKEN, PULL = 0.3149, 0.9, 2.0, 0.3554
+NEAR, MOST_TO_R, MOST_TAKEN, PULL = 0.3172, 0.9, 2.0, 0.354
 """How near to R's lobe the interference is R's; the most that R gets, and that T loses; how far it draws R's lobe."""
-SKEW, SKEW_X, MOST_SKEW, MEAN_X = 6.322, 7.888, 1.972, 1.161
-FLAT, FLAT_CUT = 1.77, 0.5466
-LEAST_VARIANCE, MOST_APART = 0.15, 2.037
+SKEW, SKEW_X, MOST_SKEW, MEAN_X = 6.3304, 8.0707, 2.0371, 1.1945
+FLAT, FLAT_CUT = 1.7771, 0.4855
+LEAST_VARIANCE, MOST_APART = 0.15, 2.0401
 """Weights of refraction, interference and edge in the moments; the variance is some of T's at least, and the square of
 how far apart a pair stands some of its variance at most."""
-UNEVEN, A1, A2, B1, B2 = 0.0252, -0.0445, 0.1944, 0.0383, 0.0974
-"""How a lopsided pair differs in weight, in anisotropy and roughness (A1, B1), and in V.H (A2, B2)."""
-HIDDEN, HIDES = 0.15 * np.exp(-7.181 * KNOTS), 1
+UNEVEN, A1, A2, B1, B2 = 0.0199, -0.0494, 0.1933, 0.0385, 0.0968
+MOST_FARTHER = 1.5
+"""How a lopsided pair differs in weight, in anisotropy and roughness (A1, B1), and in V.H (A2, B2): at most by
+MOST_FARTHER."""
+HIDDEN, HIDES = 0.2001 * np.exp(-6.6481 * KNOTS), 1.3373
 """What a pair loses at the horizon, over the cosine of the mean of T, and r1² of those that lose nothing."""
 LEAST_1_V_L, LEAST_V_H = 0.08, 0.2
 LEAST_LEAN, MOST_LEAN = -0.3, 0.12
@@ -186,7 +190,7 @@ def within_the_layer(exits, r1, f, e1):
     back = shift * _deviation(e1)
     cosine = multiply_add(exits.sine * back, EDGE_LEAN, exits.r1_cos_w)
     grazing = fifth_power(multiply_add(exits.r1_cos_o, -1.0 / r1, 1.0))
-    height = 0.5 * r1 * squared(1.0 - f)
+    height = 0.5 * WHOLE * r1 * squared(1.0 - f)
     return SimpleNamespace(grazing=grazing, albedo=multiply_add(grazing, -1.0 * height, height) * cosine * share,
                            shift=shift, back=back, kept=lookup(cut, KNOTS, KEPT_BY_FIT),
                            bend=lookup(cut, KNOTS, BEND), skew=lookup(cut, KNOTS, SKEW_BY_EDGE))
@@ -208,7 +212,7 @@ def _deviation(e1):
     return 1.0 / widen(sqrt(e1 + 2.0))
 
 
-@part("Outside")
+@part("Outside the Layer")
 def outside(exits, within, r1, e1):
     """T's lobe outside about the mean of what leaves, in the plane of n0 and D, per channel ``(..., 3)``.
 
@@ -348,7 +352,7 @@ def pair(exits, outer, mean, variance, skewed, flat, share, r1, e0, e1):
     first = multiply_add(lean, UNEVEN, 0.5)
     second = 1.0 - first
     rough, round_ = _shape(exits, outer, within, share, r1, e0, e1)
-    farther = outer.tangent * apart
+    farther = minimum(outer.tangent * apart, MOST_FARTHER)
     rougher, rounder = rough * multiply_add(farther, B2, B1 * lean), round_ * multiply_add(farther, A2, A1 * lean)
     return [SimpleNamespace(place=mean - second * apart, weight=first, roughness=rough - rougher,
                             anisotropy=1.0 - (round_ + rounder)),
@@ -365,7 +369,7 @@ def _shape(exits, outer, within, share, r1, e0, e1):
     """
     across_t = squared(r1) / widen(e1 + 2.0)
     across_x = 2.0 / (widen(e0 + 2.0) + 1.0 / across_t)
-    across = multiply_add(share, across_x - across_t, across_t)
+    across = maximum(multiply_add(share, across_x - across_t, across_t), LEAST_VARIANCE * across_t)
     v_l = outer.cosine * widen(exits.n0_v) - outer.sine * exits.back
     slope2 = across / maximum(1.0 + v_l, LEAST_1_V_L)
     return power(within * slope2, 0.125) * 0.5 ** 0.125, power(within / slope2, 0.25) * 0.5 ** 0.25
