@@ -22,6 +22,7 @@ from ...operands import (
     part,
     rotate,
     sqrt,
+    vector,
     where,
     widen,
     x_of,
@@ -99,11 +100,13 @@ def v_cavity_lobe(sine, m, roughness=1.0, free=None):
     ([1.0008, 1.0002, 0.0], [0.978, 1.0402, 0.107])
     """
     held, m2 = widen(minimum(m, ROUGHEST_FITTED)), m * m
-    q = widen(m2 / ((8.0 / (1.0 + sine) - 4.0) + m2))
-    constant, first, second, third, total = (of_slope(held, *factors) for factors in CHANGES)
-    for factor in (third + LEANING, second, first, constant + OF_NOTHING):
+    # What a material keeps constant stands together, √m multiplied into it: there it costs the renderer nothing.
+    q = widen(m2 / (8.0 / (1.0 + sine) + (m2 - 4.0)))
+    own = vector(roughness, 1.0, 1.0)
+    constant, first, second, third, total = (own * of_slope(held, *factors) for factors in CHANGES)
+    for factor in (third + LEANING, second, first, constant + own * OF_NOTHING):
         total = multiply_add(q, total, factor)
-    return roughness * x_of(total), y_of(total), (sine if free is None else free) * z_of(total)
+    return x_of(total), y_of(total), (sine if free is None else free) * z_of(total)
 
 
 @part("m² (a + b m + c m²)")
