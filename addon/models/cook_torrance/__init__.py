@@ -68,10 +68,10 @@ MODEL = Model(
         Group("cook_torrance_exact", "Cook-Torrance Reference", 8, "exact.build",
               "The published formula of Cook and Torrance 1982 itself: slower and noisier, to compare with",
               stand_in="cook_torrance_fast"),
-        Group("cook_torrance_osl", "Cook-Torrance OSL", 9, "osl.build",
+        Group("cook_torrance_osl", "Cook-Torrance OSL", 10, "osl.build",
               "The published formula of Cook and Torrance 1982 as an OSL script, to read beside the paper",
               stand_in="cook_torrance_fast", osl=True),
-        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Standard", 9, "osl.build_fast",
+        Group("cook_torrance_osl_fast", "Cook-Torrance OSL Standard", 10, "osl.build_fast",
               "Cook-Torrance Standard as an OSL script", stand_in="cook_torrance_fast", osl=True, in_menu=False),
     ),
     realisations={

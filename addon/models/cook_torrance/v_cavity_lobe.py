@@ -42,11 +42,11 @@ OF_NOTHING = (1.0, 1.0, 0.0)
 """Roughness, weight and anisotropy of a lobe that is left as it is."""
 
 CHANGES = (
-    ((0.1421, 0.0256, 0.0), (-0.5789, 0.088, 0.0), (-0.0254, -1.5541, 0.465)),
-    ((-0.926, 0.259, 0.0), (6.4518, -0.8856, 0.0), (-5.3599, 6.3854, -0.465)),
-    ((-1.6418, 2.76, 0.0), (-2.2971, -7.0633, 0.0), (6.5308, -2.0595, 0.0)),
-    ((1.1834, -2.2211, 0.0), (-6.2481, 5.9279, 0.0), (0.0065, -1.4932, 0.0)),
-    ((2.0976, 0.0, 0.0), (1.359, 0.0, 0.0), (-0.678, 0.0, 0.0)),
+    ((0.1312, 0.0031, 0.0007), (-0.4053, 0.4153, -0.0169), (-0.6453, -2.5639, 0.5306)),
+    ((-1.0411, -0.5042, 0.0447), (6.9481, 2.4359, -0.2749), (-4.1343, 4.7715, -0.1244)),
+    ((-1.1822, 6.379, -0.3872), (-5.3366, -26.2043, 0.9125), (7.8323, 18.1527, -1.4687)),
+    ((0.6497, -7.4553, 0.636), (-2.3821, 35.3426, -0.9459), (-3.9985, -36.2164, 1.6966)),
+    ((2.2966, 2.429, -0.2942), (-0.1333, -14.0983, 0.3261), (1.4303, 17.3655, -0.6367)),
 )
 """What each power of q adds to them: a, b and c of m² (a + b m + c m²)."""
 
@@ -92,16 +92,16 @@ def v_cavity_lobe(sine, m, roughness=1.0, free=None):
     roughness  √m; of 1, what it is multiplied by
     free       the sine where the lobe may have an anisotropy; by default everywhere
 
-    All are polynomials in q = m²/(m² + t), t = (2 tan(h/2))² = 8/(1 + sine) − 4 with V's height h above the horizon:
-    q runs from m²/4 or so, where V is straight above, to 1 at the horizon, and is ½ where facets of about the slope m
+    All are polynomials in q = m²/(m² + t), t = (2 sin(h/2))² = 2 − 2 sine with V's height h above the horizon: q
+    runs from m²/2 or so, where V is straight above, to 1 at the horizon, and is ½ where facets of about the slope m
     mirror V into it.  Straight above there is no anisotropy, as there is no plane.
 
     >>> [round(float(x), 4) for x in v_cavity_lobe(0.0, 0.1)], [round(float(x), 4) for x in v_cavity_lobe(0.94, 0.5)]
-    ([1.0008, 1.0002, 0.0], [0.978, 1.0402, 0.107])
+    ([1.0008, 1.0002, 0.0], [0.9782, 1.0402, 0.107])
     """
     held, m2 = widen(minimum(m, ROUGHEST_FITTED)), m * m
     # What a material keeps constant stands together, √m multiplied into it: there it costs the renderer nothing.
-    q = widen(m2 / (8.0 / (1.0 + sine) + (m2 - 4.0)))
+    q = widen(m2 / ((2.0 + m2) - 2.0 * sine))
     own = vector(roughness, 1.0, 1.0)
     constant, first, second, third, total = (own * of_slope(held, *factors) for factors in CHANGES)
     for factor in (third + LEANING, second, first, constant + own * OF_NOTHING):
