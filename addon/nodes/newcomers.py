@@ -22,7 +22,8 @@ def defer(node, identifier, source, output):
 
 def deferred(node):
     """{identifier of an input: [name of the node, identifier of the output] that is to feed it}."""
-    return json.loads(node.get(KEY, "{}"))
+    held = node.get(KEY)
+    return json.loads(held) if held else {}
 
 
 def settle(tree, native):
