@@ -17,7 +17,7 @@ from types import SimpleNamespace
 import numpy as np
 
 __all__ = [
-    "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute",
+    "sqrt", "inverse_sqrt", "exp", "log", "sin", "cos", "tan", "arccos", "power", "absolute", "multiply_add",
     "minimum", "maximum", "clip", "fraction", "less", "where", "mix", "lookup", "lookup_three",
     "dot", "cross", "length", "normalize", "rotate", "vector", "x_of", "y_of", "z_of", "widen",
     "part", "term",
@@ -63,6 +63,15 @@ def exp(x):
 def log(x):
     """Natural logarithm; 0 where x is 0 or below, as the shader's own logarithm."""
     return _apply("log", lambda a: np.log(np.where(np.greater(a, 0.0), a, 1.0)), x)
+
+
+def multiply_add(x, y, z):
+    """x·y + z, with nodes in one of them.
+
+    >>> float(multiply_add(2.0, 3.0, 4.0))
+    10.0
+    """
+    return _apply("multiply_add", lambda a, b, c: np.asarray(a) * b + c, x, y, z)
 
 
 def sin(x):

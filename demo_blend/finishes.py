@@ -11,7 +11,7 @@ from .shapes import rounded_box
 from .studio import add_softbox, new_scene, set_sky
 
 MATERIALS = ("copper", "plastic_blue")
-SIDE = 140
+SIDE = 200
 """Of an object's picture in pixels."""
 APART = 2.35
 
@@ -29,17 +29,17 @@ def finishes(job):
         for preset in MATERIALS:
             api.create_material(preset=preset, material=material, finish=finish.name)
             pictures.append(job.render(scene, f"{finish.title} {preset}"))
-        rows.append(labelled(row(pictures), finish.title, size=13 * job.scale))
+        rows.append(labelled(row(pictures), finish.title, size=15 * job.scale))
     job.write(column(rows), "finishes.jpg")
 
 
 def _studio(job):
-    """A sky that is bright at the horizon, three soft lamps, a camera that looks down a little."""
-    scene = new_scene(job.size(3 * SIDE, SIDE), job.samples(32), denoise=True, noise=0.02)
-    add_softbox(scene, (-5.0, -5.5, 6.0), (0.0, 0.0, 0.0), (2.6, 2.6), 2.6)
-    add_softbox(scene, (6.5, -1.5, 3.0), (0.0, 0.0, 0.0), (0.9, 5.5), 2.4)
-    add_softbox(scene, (0.0, 5.0, 6.0), (0.0, 0.0, 0.0), (8.0, 1.2), 1.6)
-    set_sky(scene, (0.42, 0.43, 0.45), (0.22, 0.22, 0.23), (0.05, 0.048, 0.045))
+    """A dim sky with a bright horizon, three softboxes ten times as bright, a camera that looks down a little."""
+    scene = new_scene(job.size(3 * SIDE, SIDE), job.samples(32), look="Khronos PBR Neutral", denoise=True, noise=0.02)
+    add_softbox(scene, (-5.0, -5.5, 6.0), (0.0, 0.0, 0.0), (2.6, 2.6), 7.0)
+    add_softbox(scene, (6.5, -1.5, 3.0), (0.0, 0.0, 0.0), (0.9, 5.5), 6.0)
+    add_softbox(scene, (0.0, 5.0, 6.0), (0.0, 0.0, 0.0), (8.0, 1.2), 5.0)
+    set_sky(scene, (0.30, 0.31, 0.33), (0.62, 0.62, 0.62), (0.10, 0.095, 0.09))
     lens = bpy.data.cameras.new("Camera")
     lens.type, lens.ortho_scale = "ORTHO", 3.0 * APART
     camera = bpy.data.objects.new("Camera", lens)

@@ -12,6 +12,7 @@ __all__ = ["conductor_formula", "converts_colours", "drags_from_shelves", "enabl
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
+@functools.cache
 def conductor_formula():
     """The conductor Fresnel that this Blender evaluates: "exact", or the approximation "blender-4.5".
 
@@ -27,7 +28,6 @@ def conductor_formula():
     return "exact" if exact else "blender-4.5"
 
 
-@functools.cache
 def has_native_film():
     """Whether the Metallic BSDF of this Blender has a thin film of its own."""
     return conductor_formula() == "exact"

@@ -10,15 +10,15 @@ GROUPS = (
     Group("finish_brushed", "Brushed", 3, "brushed.build", "Parallel streaks, for Roughness, Normal and Tangent"),
     Group("finish_brushed_circular", "Brushed Circular", 3, "circular.build",
           "Streaks in circles, for Roughness, Normal and Tangent"),
-    Group("finish_sandblasted", "Sandblasted", 4, "sandblasted.build",
+    Group("finish_sandblasted", "Sandblasted", 5, "sandblasted.build",
           "An even, fine grain, for Roughness, Normal and Diffuse Color"),
-    Group("finish_hammered", "Hammered", 3, "hammered.build", "Shallow dimples, for Roughness and Normal"),
+    Group("finish_hammered", "Hammered", 4, "hammered.build", "Shallow dimples, for Roughness and Normal"),
     Group("finish_cast", "Cast", 3, "cast.build", "The skin of a sand mould, for Roughness and Normal"),
-    Group("finish_scratched", "Scratched", 4, "scratched.build",
+    Group("finish_scratched", "Scratched", 5, "scratched.build",
           "Scratches and hairlines, for Roughness, Normal and Diffuse Color"),
-    Group("finish_smudged", "Smudged", 4, "smudged.build",
+    Group("finish_smudged", "Smudged", 5, "smudged.build",
           "Fingerprints and wipe marks, for Roughness and Diffuse Color"),
-    Group("finish_worn_edges", "Worn Edges", 3, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
+    Group("finish_worn_edges", "Worn Edges", 4, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
 )
 """Every node group of a finish."""
 

@@ -8,8 +8,8 @@ __all__ = ["DRIVES", "TABLE", "build"]
 
 DRIVES = ("Roughness", "Normal")
 TABLE = (
-    ROUGHNESS, scale(5.0, "Hammer marks"), depth(0.4, "How deep the marks are"),
-    Slider(name="soft", socket="Softness", default=0.5, low=0.0, high=1.0, subtype="FACTOR",
+    ROUGHNESS, scale(7.0, "Hammer marks"), depth(0.35, "How deep the marks are"),
+    Slider(name="soft", socket="Softness", default=0.7, low=0.0, high=1.0, subtype="FACTOR",
            tip="0: sharp ridges between the marks; 1: rounded ones, as of a finished bowl"),
     Slider(name="irregular", socket="Randomness", default=0.85, low=0.0, high=1.0, subtype="FACTOR",
            tip="0: marks in a grid; 1: wherever the hammer fell"),

@@ -8,9 +8,9 @@ __all__ = ["DRIVES", "TABLE", "build"]
 
 DRIVES = (*grain.DRIVES, "Diffuse Color")
 TABLE = (
-    ROUGHNESS, DIFFUSE, scale(45.0, "Grains"), depth(0.6, "How deep the grain is"),
+    ROUGHNESS, DIFFUSE, scale(80.0, "Grains"), depth(0.5, "How deep the grain is"),
     grain.uneven(0.3, "How much the roughness varies from place to place, as where the jet went over twice"),
-    whitening(0.25), *COORDINATES, NORMAL)
+    whitening(0.15), *COORDINATES, NORMAL)
 
 
 def build(builder):
@@ -20,5 +20,5 @@ def build(builder):
     with builder.frame("Grain"):
         height = noise(builder, at, s.scale, 3.0, 0.6)
     grain.output(builder, s, at, height, height, 0.8)
-    pale = whitened(s.diffuse, s.whitening * band(height, 0.35, 0.65))
+    pale = whitened(s.diffuse, s.whitening * band(height, 0.3, 0.7))
     builder.output("Diffuse Color", pale, "COLOR", description="Diffuse colour, paler on the grains")

@@ -35,7 +35,7 @@ TABLE = (
            tip="Width of the widest scratches, as a share of the distance to where the next could be"),
     Slider(name="scuffed", socket="Scratch Roughness", default=0.6, low=0.0, high=1.0, subtype="FACTOR",
            tip="Roughness in the scratches"),
-    whitening(0.5), *COORDINATES, NORMAL)
+    whitening(0.35), *COORDINATES, NORMAL)
 
 SETS = 5
 """Sets of parallel sheets in space; where a sheet meets the surface there is a scratch."""

@@ -47,11 +47,11 @@ def _prints(builder, s, at):
     finger = normalize(drawn - (0.5, 0.5, 0.5))
     bent = builder.node("ShaderNodeTexNoise", {"Vector": at, "Scale": 1.6 * s.scale, "Detail": 1.0}, "Color",
                         noise_dimensions="3D") - (0.5, 0.5, 0.5)
-    core = local + finger * 0.12 + bent * 0.16
+    core = local + finger * 0.36 + bent * 0.26
     ridges = band(sin(length(core - finger * (0.35 * dot(core, finger))) * RIDGES), -0.7, 0.7)
     oval = length(local - finger * (0.4 * dot(local, finger)) + bent * 0.08)
     pressed = band(noise(builder, at, 3.0 * s.scale, 3.0, 0.6), 0.25, 0.55) * band(oval, 0.3, 0.2)
-    return less(x_of(drawn), s.prints) * pressed * (0.35 + 0.65 * ridges)
+    return less(x_of(drawn), s.prints) * pressed * (0.4 + 0.6 * ridges)
 
 
 @part("Wipe Marks")
@@ -61,7 +61,7 @@ def _wiped(builder, s, at):
                         noise_dimensions="3D")
     bent = at * s.scale + (turn - (0.5, 0.5, 0.5)) * 6.0
     drawn = vector(x_of(bent), y_of(bent) - 0.9 * x_of(bent), z_of(bent))
-    streak = noise(builder, vector(0.06 * x_of(drawn), 2.2 * y_of(drawn), 2.2 * z_of(drawn)), 1.6, 5.0, 0.7)
+    streak = noise(builder, vector(0.05 * x_of(drawn), 3.5 * y_of(drawn), 3.5 * z_of(drawn)), 1.6, 4.0, 0.65)
     least = 0.62 - 0.24 * s.wiped
-    smear = band(noise(builder, vector(0.25 * x_of(drawn), y_of(drawn), z_of(drawn)), 0.5, 2.0), least, least + 0.1)
-    return smear * band(streak, 0.35, 0.65) * 0.85
+    smear = band(noise(builder, vector(0.25 * x_of(drawn), y_of(drawn), z_of(drawn)), 0.5, 2.0), least, least + 0.15)
+    return smear * (0.15 + 0.85 * band(streak, 0.36, 0.66)) * 0.75

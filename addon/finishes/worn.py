@@ -12,7 +12,7 @@ TABLE = (
     Colour(name="tint", socket="Tint", default=(1.0, 1.0, 1.0), low=0.0, high=1.0,
            tip="Colour that dyes the surface where it is rubbed bright; elsewhere it is darker"),
     scale(5.0, "Patches"),
-    Slider(name="edge", socket="Edge Width", default=0.25, low=0.0, high=1000.0,
+    Slider(name="edge", socket="Edge Width", default=0.2, low=0.0, high=1000.0,
            tip="How far from an edge the surface is rubbed, in scene units"),
     Slider(name="bright", socket="Edge Roughness", default=0.4, low=0.0, high=1.0, subtype="FACTOR",
            tip="Roughness where the surface is rubbed bright"),
@@ -25,7 +25,7 @@ TABLE = (
     *COORDINATES, NORMAL)
 SAMPLES = 8
 """Rays that look for the other side of an edge."""
-RUBBED = (0.03, 0.2)
+RUBBED = (0.04, 0.16)
 """Share of the rays that find it where rubbing begins and is complete; on an edge of 90° it is a half."""
 
 
@@ -34,9 +34,9 @@ def build(builder):
     s = add_inputs(builder, TABLE)
     at, n = place(builder, s), builder.normal(s.normal)
     coarse = noise(builder, at, s.scale, 5.0, 0.65)
-    edge = _edges(builder, s.edge, s.broken, coarse, n)
+    fine = noise(builder, at, 7.0 * s.scale, 4.0, 0.65)
+    edge = _edges(builder, s.edge, s.broken * (0.6 * coarse + 0.6 * fine - 0.6), n)
     with builder.frame("Patches"):
-        fine = noise(builder, at, 7.0 * s.scale, 4.0, 0.65)
         least = 0.68 - 0.16 * s.wear
         patch = s.wear * band(coarse + 0.3 * (fine - 0.5), least, least + 0.1)
     with builder.frame("Surface"):
@@ -50,8 +50,8 @@ def build(builder):
 
 
 @part("Rubbed Edges")
-def _edges(builder, width, broken, coarse, n):
+def _edges(builder, width, ragged, n):
     """1 at edges."""
     behind = builder.node("ShaderNodeAmbientOcclusion", {"Distance": width, "Normal": n}, "AO",
                           samples=SAMPLES, inside=True, only_local=True)
-    return band(1.0 - behind + broken * (coarse - 0.5), *RUBBED)
+    return band(1.0 - behind + ragged, *RUBBED)

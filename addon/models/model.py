@@ -159,6 +159,7 @@ class Model:
     made_of       the parameter that says in words what the material is made of, which preset= takes as well; or ""
     own_data      the parameter that holds the user's own measurements which those words name, as JSON; or ""
     picture       function(parameters, viewing options) -> the Picture of its pictured groups
+    newcomers     whether its groups have links that only some Blenders take: see addon.nodes.newcomers
     work_ahead    function(resolved preset, viewing options, progress) that works out what takes long of a bake, telling
                   progress the share that is done; None where nothing does
     no_longer     function(parameters, Baked of other words) -> {name: value} of what the user set and those words do
@@ -195,6 +196,7 @@ class Model:
     made_of: str = ""
     own_data: str = ""
     picture: Callable | None = None
+    newcomers: bool = False
     work_ahead: Callable | None = None
     no_longer: Callable = lambda parameters, baked: {}
 

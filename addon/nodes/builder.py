@@ -34,7 +34,8 @@ MATH = {
     "less": "LESS_THAN", "log": "LOGARITHM", "multiply_add": "MULTIPLY_ADD", "fraction": "FRACT",
 }
 VECTOR_MATH = {name: MATH[name] for name in (
-    "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan")}
+    "add", "subtract", "multiply", "divide", "power", "minimum", "maximum", "absolute", "sin", "cos", "tan",
+    "multiply_add")}
 VECTOR_TO_FLOAT = {"dot": "DOT_PRODUCT", "length": "LENGTH"}
 VECTOR_TO_VECTOR = {"cross": "CROSS_PRODUCT", "normalize": "NORMALIZE"}
 COMPONENT = {"x_of": "X", "y_of": "Y", "z_of": "Z"}
@@ -362,7 +363,7 @@ class GroupBuilder:
             return self._vector_math("POWER", (operands[0], 0.5))  # which gives 0 below 0
         if name == "exp":
             return self._vector_math("POWER", (math.e, operands[0]))
-        if name == "where" and not is_vector(operands[0]):
+        if name == "where":
             return self._mix("VECTOR", "Vector", *operands)
         # No Vector Math operation: channel by channel.
         channels = [[self.apply(c, (o,)) if isinstance(o, NodeOperand) and is_vector(o)
@@ -375,8 +376,12 @@ class GroupBuilder:
         return self.node("ShaderNodeVectorMath", dict(zip(identifiers, operands)), output, operation=operation)
 
     def _mix(self, data_type, suffix, condition, if_true, if_false):
-        inputs = {"Factor_Float": condition, f"A_{suffix}": if_false, f"B_{suffix}": if_true}
-        return self.node("ShaderNodeMix", inputs, f"Result_{suffix}", data_type=data_type, clamp_factor=False)
+        settings = {"data_type": data_type, "clamp_factor": False}
+        factor = {"Factor_Float": condition}
+        if is_vector(condition):  # each channel by its own; the other one is 1 in newer Blenders if nobody says
+            settings["factor_mode"], factor = "NON_UNIFORM", {"Factor_Float": 0.5, "Factor_Vector": condition}
+        inputs = {**factor, f"A_{suffix}": if_false, f"B_{suffix}": if_true}
+        return self.node("ShaderNodeMix", inputs, f"Result_{suffix}", **settings)
 
     # --- plumbing ---
 

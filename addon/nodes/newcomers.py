@@ -22,8 +22,7 @@ def defer(node, identifier, source, output):
 
 def deferred(node):
     """{identifier of an input: [name of the node, identifier of the output] that is to feed it}."""
-    held = node.get(KEY)
-    return json.loads(held) if held else {}
+    return json.loads(node[KEY]) if KEY in node else {}
 
 
 def settle(tree, native):

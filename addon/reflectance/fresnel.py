@@ -23,6 +23,9 @@ F82_LOBE = COS_THETA_82 * (1.0 - COS_THETA_82) ** 6
 SMALLEST = 1e-20
 """Keeps a denominator away from 0 where there is no surface: n = 1, k = 0 at grazing incidence."""
 
+DYED = 1e20
+"""What makes 1 of a k and a darkening that are not 0."""
+
 
 @part("Fresnel F")
 def conductor(cos_theta, n, k):
@@ -273,29 +276,18 @@ def tinted(n, k, tint):
     >>> [float(x) for x in tinted(1.5, 0.0, 0.5)], [float(x) for x in tinted(0.2, 3.91, 1.0)]
     ([1.5, 0.0], [0.2, 3.91])
     """
-    lost = _lost(n, k)
+    n_1 = n + 1.0
+    lost = 4.0 * n / (n_1 * n_1 + k * k)
     least, most = _indices(lost)
     place = (n - least) / maximum(most - least, SMALLEST)
-    lost_tinted = lost + (1.0 - tint) * (1.0 - lost)
+    paler = 1.0 - tint
+    lost_tinted = lost + paler * (1.0 - lost)
     least, most = _indices(lost_tinted)
     n_tinted = least + place * (most - least)
     n_1 = n_tinted + 1.0
     k_tinted = sqrt(maximum(4.0 * n_tinted / lost_tinted - n_1 * n_1, 0.0))
-    dyes = _is_dyed(k, tint)
+    dyes = clip(DYED * (k * paler), 0.0, 1.0)
     return where(dyes, n_tinted, n), where(dyes, k_tinted, k)
-
-
-@part("Is Dyed")
-def _is_dyed(k, tint):
-    """1 for a metal whose tint is not white."""
-    return less(0.0, k) * less(tint, 1.0)
-
-
-@part("Taken In")
-def _lost(n, k):
-    """1 − F at normal incidence, 4n/((n + 1)² + k²)."""
-    n_1 = n + 1.0
-    return 4.0 * n / (n_1 * n_1 + k * k)
 
 
 @part("Range of n", "least", "most")

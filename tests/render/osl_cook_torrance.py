@@ -32,7 +32,8 @@ SHARES = (0.0, 0.3, 0.7, 1.0)
 UNIT = (0.0, 1.0)
 
 FIELDS = ("H", "across", "a_across", "a_along", "stretch", "n_h", "n_v", "n_l", "v_h", "tangent", "v_across",
-          "v_along", "steepness", "peak", "density", "lobe_tangent", "narrow", "broad", "covariance")
+          "v_along", "steepness", "peak", "density", "lobe_tangent", "narrow", "broad", "covariance",
+          "is_elliptic", "longest", "even", "seen_v", "seen_l")
 DIRECTIONS = ("H", "across", "lobe_tangent")
 
 
@@ -41,6 +42,8 @@ DIRECTIONS = ("H", "across", "lobe_tangent")
 def fields_of(x):
     """A facet as the script keeps it: D's peak in place of its flatness."""
     x.H, x.peak = x.h, np.broadcast_to(1.0 / x.flat ** 2, np.shape(x.n_h))
+    x.is_elliptic, x.longest = 1.0 * (x.along != 1.0), x.along
+    x.even, x.seen_v, x.seen_l = np.sqrt(x.round_tan2), 1.0 / np.sqrt(x.slope2_v), 1.0 / np.sqrt(x.slope2_l)
     return SimpleNamespace(**{name: np.broadcast_to(getattr(x, name), x.h.shape if name in DIRECTIONS
                                                     else x.n_h.shape) for name in FIELDS})
 
@@ -50,9 +53,9 @@ def ellipse_of(t, along, across):
     return SimpleNamespace(is_elliptic=1.0, t=t, along=along, across=across)
 
 
-def facet(n, v, m, a, wide, flanks, gaussian, t, along, across, u_tilt, u_azimuth, u_side):
+def facet(n, v, m, a, wide, flanks, gaussian, t, along, across, u_tilt, u_azimuth, side):
     """The formula's facet, in the script's order."""
-    x = sampler.facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse_of(t, along, across))
+    x = sampler.facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, None, ellipse_of(t, along, across), side)
     return list(vars(fields_of(x)).values())
 
 
@@ -60,7 +63,7 @@ def drawings(longest=3.0, count=160):
     """What facets are drawn with, by either distribution; some of them exactly, some stretched."""
     cosine, azimuth, polar, turn, m, width, stretch, *numbers = spread(
         count, (0.05, 1.0), (0.0, 6.0), (-1.0, 1.0), (0.0, 6.0), (0.2, 0.9), (0.0, 0.8), (1.0, longest),
-        (0.02, 0.98), UNIT, (0.02, 0.98))
+        (0.02, 0.98), UNIT)
     n = about(np.broadcast_to([0.0, 0.0, 1.0], (count, 3)), polar, turn)
     every_third_exact = width * (np.arange(count) % 3 > 0)
     gaussian = (np.arange(count) // 3 % 2).astype(float)
@@ -68,13 +71,14 @@ def drawings(longest=3.0, count=160):
     a, wide = single(sampling.narrow_slope(m * along, every_third_exact) / along,
                      sampling.wide_slope(m * along, every_third_exact) / along)
     return [n, about(n, cosine, azimuth), m, a, wide, single(1.0 * (a > 0.0)), gaussian,
-            single(tangent_in_the_scripts(n)), along, single(1.0 / along), *numbers]
+            single(tangent_in_the_scripts(n)), along, single(1.0 / along), *numbers,
+            np.where(np.arange(count) // 2 % 2 > 0, 1.0, -1.0)]
 
 
 def seen_facets(longest=3.0):
     """Facets that mirror V above the horizon as the script keeps them, and the slopes m that they were drawn with."""
-    *first, t, along, across, u_tilt, u_azimuth, u_side = drawings(longest)
-    x = sampler.facet(*first, u_tilt, u_azimuth, u_side, ellipse_of(t, along, across))
+    *first, t, along, across, u_tilt, u_azimuth, side = drawings(longest)
+    x = sampler.facet(*first, u_tilt, u_azimuth, None, ellipse_of(t, along, across), side)
     above = (x.n_l > 0.01) & (x.density > 0.0)
     kept = {name: values[above] for name, values in vars(fields_of(x)).items()}
     return single(SimpleNamespace(**kept)), first[2][above]
@@ -82,7 +86,8 @@ def seen_facets(longest=3.0):
 
 def read(x):
     """A facet of the script as the formulas know it."""
-    return SimpleNamespace(**vars(x), level=x.v_h / x.n_h, flat=1.0 / np.sqrt(x.peak))
+    return SimpleNamespace(**vars(x), level=x.v_h / x.n_h, flat=1.0 / np.sqrt(x.peak), along=x.longest,
+                           round_tan2=x.even ** 2, slope2_v=1.0 / x.seen_v ** 2, slope2_l=1.0 / x.seen_l ** 2)
 
 
 def lobes_to_stretch():
@@ -173,9 +178,14 @@ def normals(count=60):
     return [about(v, cosine, azimuth), v]
 
 
+def cosine_over_longest(cosine, along, shorter):
+    """Of the square of the slope."""
+    return 1.0 / np.sqrt(sampler._slope2_over_longest(cosine, along, shorter, 1.0 - shorter * shorter))
+
+
 def native_lobes_cases():
-    x, m = seen_facets(longest=1.0)
-    return [x, m, single(sampler.native_lobe(x.n_v, m)[1])]
+    x, m = seen_facets()
+    return [x, m, single(sampler.native_lobe(x.n_v, m)[1] * (1.0 - x.is_elliptic))]
 
 
 def with_mirrors():
@@ -255,13 +265,14 @@ FORMULAS = {
     "stretched(Facet, vector, vector, float, float, float, float, float)": (stretched, lobes_to_stretch()),
     "facet(vector, vector, float, float, float, float, int, vector, float, float, float, float, float)": (
         facet, drawings()),
+    "cosine_over_longest(float, float, float)": (cosine_over_longest, grid((0.1, 0.4, 0.7), (0.0, 0.3, 0.7), UNIT)),
     "sharpened_v_cavity(Facet)": (lambda x: sampler.sharpened_v_cavity(read(x)), seen_facets()[:1]),
     "native_over_D(Facet, float, float)": (
         lambda x, m, lean: sampler.native_over_d(read(x), m, lean), with_mirrors()),
     "facet_weight(Facet, float, float, vector, vector, color, color)": (facet_weight, weights_cases()),
     "gaussian_shares(float, output float, output float, output float)": (
-        lambda m: [share for share, _slope in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
+        lambda m: [share for share, _widening in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
     "gaussian_slopes(float, output float, output float, output float)": (
-        lambda m: [slope for _share, slope in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
+        lambda m: [m * widening ** 2 for _share, widening in gaussian_lobes.gaussian_lobes(m)], grid(SLOPES)),
     "facing(vector, vector)": (facing, normals()),
 }

@@ -135,7 +135,7 @@ def test_a_person_can_follow_every_level_of_a_group(identifier):
 
 def test_terms_have_their_names():
     names = {level.name for level in levels(groups.node_group("cook_torrance_exact"))}
-    assert {".Fresnel F", ".Drawn Facet", ".Native Lobe", ".Sharpened G", ".D native / D"} <= names
+    assert {".Fresnel F", ".Facet on a Side", ".Native Lobe", ".Sharpened G", ".D native / D"} <= names
 
 
 def test_equal_parts_are_there_once():

@@ -10,6 +10,7 @@ from types import SimpleNamespace
 
 import bpy
 
+from addon.blender.datablocks import groups
 from addon.blender.panels import load_ahead
 from addon.models.making import made
 
@@ -62,12 +63,13 @@ def datablocks():
     return {name: len(getattr(bpy.data, name)) for name in ("materials", "node_groups", "images", "libraries", "texts")}
 
 
-def test_it_bakes_a_preset_and_leaves_the_file_alone(monkeypatch):
-    baked = []
+def test_it_bakes_a_preset_and_reads_its_group_and_leaves_the_file_alone(monkeypatch):
+    baked, read, appended = [], [], groups._appended
     monkeypatch.setattr("addon.models.making.made", lambda preset: baked.append(preset) or made(preset=preset))
+    monkeypatch.setattr(groups, "_appended", lambda data, *what: read.append(appended(data, *what).name))
     before = datablocks()
     load_ahead.load()
-    assert baked == ["copper"]
+    assert baked == ["copper"] and read == ["Cook-Torrance Standard"]
     assert datablocks() == before
 
 

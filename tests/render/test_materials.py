@@ -29,6 +29,18 @@ def test_preset_sets_what_was_baked():
     assert materials.realisation_of(material) == "fast"
 
 
+def test_metals_are_told_apart_in_the_solid_viewport():
+    """Copper is redder than skin, gold yellow, silver far brighter than steel, steel than chromium; plastic is none."""
+    metals = [api.create_material(preset=name) for name in ("copper", "gold", "silver", "stainless_steel", "chromium")]
+    copper, gold, silver, steel, chromium = (np.array(material.diffuse_color[:3]) for material in metals)
+    assert copper[0] > 2.0 * copper[1] > 2.0 * copper[2] and gold[0] > gold[1] > 4.0 * gold[2]
+    assert silver.mean() > 2.0 * steel.mean() > 2.0 * 1.25 * chromium.mean() and np.ptp(silver) < 0.05
+    assert all(0.3 < material.metallic < 0.6 for material in metals)
+    assert metals[-1].roughness < 0.8 * metals[-2].roughness  # plated, and rolled
+    for name in ("vinyl", "plastic_blue", "window_glass", "diamond"):
+        assert api.create_material(preset=name).metallic < 0.1
+
+
 def test_parameters_go_over_the_preset():
     material = api.create_material(preset="copper", name="Mine", slopes=[(0.3, 0.5), (0.1, 0.5)], specular=0.5,
                                    scale="published", distribution="gaussian", gaussian_c=2.0)

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from addon import api
+from addon import api, models
 from addon.bake.film_track import NativeFilm, native_colours
 from addon.blender import compat
 from addon.blender.datablocks import groups, materials
@@ -48,6 +48,12 @@ def test_the_links_of_the_native_film_are_there_where_blender_takes_them():
     for node, identifier in waiting:
         socket = _socket(node, identifier)
         assert bool(socket and socket.is_linked) == compat.has_native_film(), (node.name, identifier)
+
+
+@pytest.mark.parametrize("model", models.all_models(), ids=lambda model: model.name)
+def test_a_model_whose_groups_have_such_links_says_so(model):
+    trees = [groups.node_group(group.identifier) for group in model.groups if not group.osl]
+    assert any(any(_waiting(tree)) for tree in trees) == model.newcomers
 
 
 def test_a_group_is_the_same_whether_its_links_are_there_or_wait():

@@ -62,6 +62,42 @@ def test_light_goes_where_the_formula_sends_it(gaussian):
     assert_allclose(found, expected, atol=2e-3 * expected.sum(axis=0).max())
 
 
+@pytest.mark.parametrize("gaussian", [0.0, 1.0])
+@pytest.mark.parametrize("theta, m", [(0.0, 0.3), (0.8, 0.1), (0.8, 0.6), (1.3, 0.4), (1.5, 0.6)])
+def test_both_sides_of_a_groove_make_the_albedo(theta, m, gaussian):
+    """Weighed by how well they are seen, which is 0 for one that is hidden."""
+    v, (tilt, azimuth) = direction(theta, 0.0), even_numbers(1 << 15, 2)
+    sides = [sampler.facet(UP, v, m, 0.0, 0.0, 0.0, gaussian, tilt, azimuth, None, side=side) for side in (1.0, -1.0)]
+    assert all((x.h @ v >= -1e-12)[x.density > 0.0].all() for x in sides)
+    found = sum(sampler.facet_weight(x, 1.0, 0.0, *COPPER, 0.0, 0.0).mean(axis=0) for x in sides)
+    expected = cook_torrance_albedo(np.cos(theta), slopes=[(m, 1.0)], index=COPPER[0], extinction=COPPER[1],
+                                    distribution="gaussian" if gaussian else "beckmann", count=256)
+    assert_allclose(found, expected, rtol=1.5e-3)
+
+
+@pytest.mark.parametrize("gaussian", [0.0, 1.0])
+@pytest.mark.parametrize("theta, phi, m, anisotropy", [
+    (0.0, 0.0, 0.2, 0.8), (0.9, 0.0, 0.3, 0.6), (0.9, 0.7, 0.2, 0.95), (1.3, 1.5, 0.4, 0.9)])
+def test_the_native_lobe_under_stretched_slopes(theta, phi, m, anisotropy, gaussian):
+    """D G of a Beckmann lobe as smooth, in both slopes, as a round one under the longest, over D."""
+    v, t = direction(theta, phi), direction(0.5 * np.pi, 0.0)
+    ellipse = sampler.stretched(UP, t, m, anisotropy)
+    x = sampler.facet(UP, v, m, 0.0, 0.0, 0.0, gaussian, *even_numbers(1 << 10), ellipse)
+    longest, shortest = slopes.along_across(m, anisotropy)
+    along = sampler.native_slope(longest)
+    across = along * shortest / longest
+    l, tilts = mirrored(v, x.h), (x.h[:, 0], x.h[:, 1], x.h[:, 2])
+
+    def smith(w):
+        steep = np.hypot(along * w[..., 0], across * w[..., 1]) / np.maximum(w[..., 2], 1e-6)
+        return masking.smith_lambda_of_slope(steep)
+    native = slopes.elliptic_beckmann(*tilts, along, across) / (1.0 + smith(v) + smith(l))
+    d = slopes.elliptic_gaussian(*tilts, longest, shortest, slopes.elliptic_gaussian_c(longest, shortest)) \
+        if gaussian else slopes.elliptic_beckmann(*tilts, longest, shortest)
+    seen = (x.n_l > 0.01) & (x.n_h > 0.05)
+    assert_allclose(sampler.native_over_d(x, m, 0.0)[seen], (native / d)[seen], rtol=2e-4)
+
+
 def part_sums(l, values):
     """Sums over 4 bands of height times 6 sectors."""
     sixth = ((np.arctan2(l[:, 1], l[:, 0]) / np.pi + 1) * 3).astype(int) % 6

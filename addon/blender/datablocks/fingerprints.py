@@ -80,6 +80,8 @@ def fingerprint(tree, known=None):
 def _of_node(node, known):
     kind = node.bl_idname
     facts = [node.name, kind, *(getattr(node, name) for name in SETTINGS.get(kind, ()))]
+    if kind == "ShaderNodeMix" and node.factor_mode != "UNIFORM":
+        facts.append(node.factor_mode)
     if kind == "ShaderNodeGroup" and node.node_tree is not None:
         facts.append(node.node_tree.get(ID_KEY) or fingerprint_of_part(node.node_tree, known))
     if kind == "ShaderNodeScript" and node.script is not None:

@@ -15,8 +15,8 @@ from .parts import as_marked, drop_unused_parts, mark_parts, merge_parts
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
-           "input_names", "is_bringing", "library_file", "mark", "merge_groups", "model_of_group", "node_group",
-           "settled", "socket_named"]
+           "input_names", "inputs_named", "is_bringing", "library_file", "mark", "merge_groups", "model_of_group",
+           "node_group", "read_ahead", "settled", "socket_named"]
 
 LIBRARY = Path(__file__).parents[3] / "node_groups" / "groups"
 """The groups as tools/build_groups.py built them: appending one takes milliseconds, building one seconds; and of a file
@@ -108,7 +108,9 @@ def _brought(model, group, image):
 
 def settled(tree):
     """The group, its links as this Blender takes them."""
-    newcomers.settle(tree, compat.has_native_film())
+    model = model_of_group(group_id(tree))
+    if model is not None and model.newcomers:
+        newcomers.settle(tree, compat.has_native_film())
     return tree
 
 
@@ -194,15 +196,29 @@ def _from_library(group):
     if not file.exists():
         return None
     before = set(bpy.data.libraries)
+    tree = _appended(bpy.data, file, group)
+    for library in set(bpy.data.libraries) - before:
+        bpy.data.libraries.remove(library)  # appending leaves an entry from which nothing is linked
+    return tree
+
+
+def _appended(data, file, group):
+    """The group out of a file of the library, in the open file's data or other."""
     _bringing.append(group)
     try:
-        with bpy.data.libraries.load(str(file), link=False) as (_, target):
+        with data.libraries.load(str(file), link=False) as (_, target):
             target.node_groups = [group.name]
     finally:
         _bringing.pop()
-    for library in set(bpy.data.libraries) - before:
-        bpy.data.libraries.remove(library)  # appending leaves an entry from which nothing is linked
     return target.node_groups[0]
+
+
+def read_ahead(identifier):
+    """Have Blender read a group of the library, beside the open file: the first time takes a quarter longer."""
+    file = library_file(identifier)
+    if file.exists():
+        with bpy.data.temp_data() as beside:
+            _appended(beside, file, group_of(identifier))
 
 
 def _add_eevee_output(tree, fast):
@@ -272,6 +288,13 @@ def socket_named(node, name):
     is then taken by identifier.
     """
     return _by_interface(node.inputs, node.node_tree, name, "INPUT")
+
+
+def inputs_named(node):
+    """{name of the interface socket: input} of a group node."""
+    of_identifier = {socket.identifier: socket for socket in node.inputs}
+    return {item.name: of_identifier[item.identifier] for item in node.node_tree.interface.items_tree
+            if item.item_type == "SOCKET" and item.in_out == "INPUT"}
 
 
 def output_named(node, name):

@@ -16,6 +16,7 @@ from .groups import (
     group_id,
     group_of,
     input_names,
+    inputs_named,
     model_of_group,
     node_group,
     output_named,
@@ -29,14 +30,18 @@ if TYPE_CHECKING:  # loading it is left to the first material, as enabling waits
     from ...models.record import Record
 
 __all__ = ["RECORD_KEY", "STANDIN_KEY", "baked_of", "create", "exchange_group", "finish_node", "finish_of", "found_in",
-           "is_measured", "model_of", "our_node", "parameters_of", "realisation_of", "record_of", "record_of_node",
-           "remove_standin", "require_name", "write", "write_node"]
+           "in_solid_view", "is_measured", "model_of", "our_node", "parameters_of", "realisation_of", "record_of",
+           "record_of_node", "remove_standin", "require_name", "write", "write_node"]
 
 RECORD_KEY = "facet_film"
 STANDIN_KEY = "facet_film_standin"
 """Of the nodes that are there for exporters alone; what it holds says which numbers they are of."""
 NODE_WIDTH = 240
 FEED_WIDTH = 200
+METALS_FROM = 0.1, 0.3
+"""Largest normal reflectance from which a surface counts as a metal in the Solid viewport, and quite as one."""
+METALNESS = 0.4
+"""Of a metal there, by eye."""
 
 
 # --- A record into a material ---
@@ -95,8 +100,9 @@ def write_node(tree: bpy.types.NodeTree, node: bpy.types.Node, record: Record) -
     elif is_editable(node.node_tree):
         settled(node.node_tree)  # which another Blender may have written
     values = {**model.written(record.parameters, record.realisation), **sockets_of_image(image_in(node.node_tree))}
+    inputs = inputs_named(node)
     for name, value in values.items():
-        socket_named(node, name).default_value = value
+        inputs[name].default_value = value
     from ...finishes.feeding import feeds
     _write_feeds(tree, node, there, (*model.feeds(record.parameters), *feeds(record)))
 
@@ -110,14 +116,30 @@ def _keeps(tree, group, image):
 
 
 def _show_in_viewport(material, record):
-    """Colour and gloss for the Solid viewport.
-
-    Not metallic: there is nothing for a metal to mirror there, and it would be dark.
-    """
+    """Colour, metalness and gloss for the Solid viewport."""
     seen = model_of_group(record.group).look(record.parameters, None)
-    material.diffuse_color = (*map(float, seen.colour), 1.0)
-    material.metallic = 0.0
+    colour, metallic = in_solid_view(seen)
+    material.diffuse_color = (*map(float, colour), 1.0)
+    material.metallic = metallic
     material.roughness = float(seen.slope) ** 0.5
+
+
+def in_solid_view(seen):
+    """(linear RGB, metalness) of a Look in the Solid viewport, whose few lamps leave a metal nothing to mirror.
+
+    Wholly metallic it would be black there but for its highlights; METALNESS shows them and its colour.  That is as of
+    light reflected twice, as in a metal's hollows: reflected once, copper looks like clay and steel like chromium.
+
+    >>> from ...models.model import Look
+    >>> in_solid_view(Look((0.9, 0.6, 0.5), (0.9, 0.6, 0.5), 1.0, 0.1, (0.0, 0.0, 0.0)))
+    ([0.81, 0.36, 0.25], 0.4)
+    >>> in_solid_view(Look((0.5, 0.2, 0.1), (0.04, 0.04, 0.04), 0.5, 0.1, (0.48, 0.18, 0.08)))
+    ([0.5, 0.2, 0.1], 0.0)
+    """
+    low, high = METALS_FROM
+    metal = seen.specular * min(max((max(seen.mirror) - low) / (high - low), 0.0), 1.0)
+    colour = [whole * (1.0 + metal * (once - 1.0)) for whole, once in zip(seen.colour, seen.mirror)]
+    return colour, METALNESS * float(metal)
 
 
 def _write_feeds(tree, node, there, feeds):
@@ -222,8 +244,8 @@ def _controls(group, fed, values):
 def _values(node):
     """{socket: value} of a group node."""
     found = {}
-    for name in input_names(node.node_tree):
-        value = socket_named(node, name).default_value
+    for name, socket in inputs_named(node).items():
+        value = socket.default_value
         found[name] = tuple(value) if hasattr(value, "__len__") else value
     return found
 
@@ -343,8 +365,7 @@ def _set_values(tree, node, group):
     """Give the node this group with the values and links that it had."""
     values, sources = {}, {}
     if node.node_tree is not None:
-        for name in input_names(node.node_tree):
-            socket = socket_named(node, name)
+        for name, socket in inputs_named(node).items():
             if hasattr(socket, "default_value"):
                 value = socket.default_value
                 values[name] = tuple(value) if hasattr(value, "__len__") else value

@@ -22,9 +22,12 @@ def forget():
 
 
 def load():
-    """Bake a preset and forget it: the modules and the tables are there from then on."""
-    from ... import api  # noqa: F401
+    """Bake a preset and read its group, and forget both: modules and tables are there from then on, and Blender knows
+    where it has what it reads groups with.
+    """
+    from ... import api  # noqa: F401  (and what the operator takes of its own, when it comes to that)
     from ...models.making import made
-    from ..datablocks.groups import all_groups
-    all_groups()
-    made(preset="copper")
+    from ...nodes import osl_compiler  # noqa: F401
+    from ..datablocks import materials, untouched  # noqa: F401
+    from ..datablocks.groups import read_ahead
+    read_ahead(made(preset="copper").group)

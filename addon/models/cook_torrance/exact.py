@@ -1,7 +1,8 @@
 """Cook-Torrance itself: the published formula with the V-cavity G, sampled by drawing facets.
 
-For every sample of a pixel the nodes draw one facet H, and a Glossy BSDF about
-H carries the weight f (N.L)/p(L): see addon.models.cook_torrance.sampler.
+For every sample of a pixel the nodes draw one groove, and a Glossy BSDF about
+the facet H on each of its two sides carries the weight f (N.L)/p(L): see
+addon.models.cook_torrance.sampler.
 At Sampling Width 0 the Glossy BSDF is a mirror, and Cycles integrates exactly
 the formula.  Above 0 it is a narrow lobe, which light sampling reaches, and
 native Metallic lobes carry the share of the light that lies under the formula.
@@ -27,6 +28,7 @@ from .sampler import (
     native_fresnel,
     native_lobe,
     native_over_d,
+    native_scale,
     native_slope,
     scales,
     stretched,
@@ -35,7 +37,7 @@ from .scale import in_scale
 
 __all__ = ["build"]
 
-FACET, SLOPE, DISTRIBUTION, ROULETTE = range(1, 5)
+FACET, DISTRIBUTION, ROULETTE = range(1, 4)
 """The random numbers of a sample, each a dimension of its own."""
 
 
@@ -50,7 +52,7 @@ def build(builder):
         surface = SimpleNamespace(normal=normal, tangent=tangent, view=view, n_v=dot(normal, view),
                                   anisotropy=sockets.anisotropy)
     with builder.frame("Width > 0"):
-        has_native = less(0.0, sockets.width) * (1.0 - less(0.0, sockets.anisotropy))
+        has_native = less(0.0, sockets.width)
     f0, tint = native_fresnel(n, k)
     index = SimpleNamespace(n=n, k=k, f0=f0, tint=tint)
     scale = SimpleNamespace(gaussian=sockets.gaussian, published=sockets.published, gaussian_c=sockets.gaussian_c)
@@ -66,41 +68,60 @@ def build(builder):
 
 @part("Drawn Lobe")
 def _drawn_lobe(builder, slopes, specular, width, has_native, scale, surface, index):
-    """The Glossy BSDF about a drawn facet, with what the native lobes leave of f."""
-    slope = _chosen_slope(builder, slopes, surface.n_v, width, surface.anisotropy)
+    """The Glossy BSDFs about both sides of a drawn groove, with what the native lobes leave of f."""
     with builder.frame("Draw"):
         gaussian = less(0.0, scale.gaussian) * less(builder.random(DISTRIBUTION), scale.gaussian)
-        tilt, azimuth, side = builder.three_randoms(FACET)
+        tilt, azimuth, which = builder.three_randoms(FACET)
+    slope = _chosen_slope(builder, which, slopes, surface.n_v, width, surface.anisotropy)
     with builder.frame("Roulette"):
         probability = where(has_native, kept(slope.share), 1.0)
         shown = less(builder.random(ROULETTE), probability)
     ellipse = stretched(surface.normal, surface.tangent, slope.m, surface.anisotropy)
-    x = facet(surface.normal, surface.view, slope.m, slope.narrow, slope.wide, FLANKS * has_native, gaussian,
-              tilt, azimuth, side, ellipse)
-    whole, native_scale = scales(slope.m, gaussian, scale.published, scale.gaussian_c, ellipse)
+    whole, scale_under = scales(slope.m, gaussian, scale.published, scale.gaussian_c, ellipse)
     with builder.frame("Native"):
-        native = (has_native * (native_scale * HEADROOM) * slope.share) * native_over_d(x, slope.m, slope.lean)
-    colour = facet_weight(x, whole, native, index.n, index.k, index.f0, f82_factor(index.f0, index.tint),
-                          specular * slope.weight, probability)
-    return builder.scale_shader(shown, _glossy(builder, colour, x.h, x.lobe_tangent, x.narrow, x.broad))
+        native = has_native * (scale_under * HEADROOM) * slope.share
+    drawing = SimpleNamespace(flanks=FLANKS * has_native, gaussian=gaussian, tilt=tilt, azimuth=azimuth)
+    weights = SimpleNamespace(whole=whole, native=native, all=specular * slope.weight, probability=probability)
+    sides = [_side(builder, side, slope, drawing, ellipse, weights, surface, index) for side in (1.0, -1.0)]
+    return builder.scale_shader(shown, builder.add_shaders(*sides))
+
+
+@part("Side of a Groove")
+def _side(builder, side, slope, drawing, ellipse, weights, surface, index):
+    """The Glossy BSDF about the facet on one side, 1 or −1, of a drawn groove."""
+    x = facet(surface.normal, surface.view, slope.m, slope.narrow, slope.wide, drawing.flanks, drawing.gaussian,
+              drawing.tilt, drawing.azimuth, None, ellipse, side)
+    with builder.frame("Native"):
+        native = weights.native * native_over_d(x, slope.m, slope.lean)
+    colour = facet_weight(x, weights.whole, native, index.n, index.k, index.f0, f82_factor(index.f0, index.tint),
+                          weights.all, weights.probability)
+    return _glossy(builder, colour, x.h, x.lobe_tangent, x.narrow, x.broad)
 
 
 @part("Native Lobes")
 def _native_lobes(builder, slopes, specular, has_native, scale, surface, index):
-    """The Metallic BSDFs under f, one for each slope; nothing at Sampling Width 0, nor under an anisotropic f."""
+    """The Metallic BSDFs under f, one for each slope; nothing at Sampling Width 0."""
     once = builder.add_shaders(*[
         _native_lobe(builder, slope.m, slope.w, specular, has_native, scale, surface, index) for slope in slopes])
     return in_scale(builder, once, scale.published)
 
 
 @part("Drawn Slope")
-def _chosen_slope(builder, slopes, n_v, width, anisotropy):
+def _chosen_slope(builder, u, slopes, n_v, width, anisotropy):
     """One of the slopes drawn by weight, with what its lobes need, by name; and the weight of all."""
     slopes, weights = zip(*[(slope.m, slope.w) for slope in slopes])
-    shares, leans = zip(*[native_lobe(n_v, m) for m in slopes])
+    shares, leans = zip(*[_native_share(n_v, m, anisotropy) for m in slopes])
     narrow, wide = zip(*[_lobe_slopes(m, width, anisotropy) for m in slopes])
-    m, share, lean, narrow, wide = chosen(builder.random(SLOPE), weights, slopes, shares, leans, narrow, wide)
+    m, share, lean, narrow, wide = chosen(u, weights, slopes, shares, leans, narrow, wide)
     return SimpleNamespace(m=m, share=share, lean=lean, narrow=narrow, wide=wide, weight=sum(weights[1:], weights[0]))
+
+
+@part("Share under the Lobe", "share", "lean")
+def _native_share(n_v, m, anisotropy):
+    """Of :func:`native_lobe`: for stretched slopes that of the longest, upright, for the lean is askew to them."""
+    longest, _ = along_across(m, anisotropy)
+    share, lean = native_lobe(n_v, longest)
+    return share, lean * (1.0 - less(0.0, anisotropy))
 
 
 @part("Slopes of the Drawn Lobe", "narrow", "wide")
@@ -123,11 +144,15 @@ def _glossy(builder, colour, h, tangent, narrow, broad):
 @part("Native Beckmann Lobe")
 def _native_lobe(builder, m, w, specular, has_native, scale, surface, index):
     """The Metallic BSDF under f for one slope."""
-    share, lean = native_lobe(surface.n_v, m)
+    share, lean = _native_share(surface.n_v, m, surface.anisotropy)
+    longest, shortest = along_across(m, surface.anisotropy)
+    aspect2 = shortest / longest
     metallic = builder.node("ShaderNodeBsdfMetallic", {
-        "Base Color": index.f0, "Edge Tint": index.tint, "Roughness": sqrt(native_slope(m)),
+        "Base Color": index.f0, "Edge Tint": index.tint, "Roughness": sqrt(native_slope(longest) * sqrt(aspect2)),
+        "Anisotropy": (1.0 - aspect2) / 0.9, "Tangent": surface.tangent,
         "Normal": surface.normal + widen(lean) * surface.view,
     }, distribution="BECKMANN", fresnel_type="F82")
-    _, native_scale = scales(m, scale.gaussian, scale.published, scale.gaussian_c)
-    quarter = HEADROOM * native_scale / (1.0 + 3.0 * scale.published)
+    ellipse = stretched(surface.normal, surface.tangent, m, surface.anisotropy)
+    under = native_scale(m, scale.gaussian, scale.published, scale.gaussian_c, ellipse)
+    quarter = HEADROOM * under / (1.0 + 3.0 * scale.published)
     return builder.scale_shader((w * specular * has_native * quarter) * share, metallic)

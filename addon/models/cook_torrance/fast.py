@@ -11,16 +11,13 @@ the group F82 has the same sockets; F0 and F82 tint are worked out from n and k,
 and the Metallic BSDF interpolates between them.
 """
 
-from types import SimpleNamespace
-
 from ...operands import clip, less, part, sqrt, where
 from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, tinted
-from ...reflectance.slopes import along_across, elliptic_gaussian_c
 from ..parameters import add_inputs
-from .gaussian_lobes import gaussian_lobes
+from .gaussian_lobes import gaussian_lobes, gaussian_share
 from .parameters import TABLE, slope_operands
 from .scale import in_scale
-from .v_cavity_lobe import seen_from, slope_towards_viewer, v_cavity_lobe
+from .v_cavity_lobe import seen_from, v_cavity_lobe
 
 __all__ = ["build", "build_f82"]
 
@@ -53,11 +50,11 @@ def _build(builder, fresnel_of):
     with builder.frame("Frame"):
         # The nodes of a tangent that nothing turns on fold away.
         tangent = where(less(0.0, sockets.anisotropy), builder.tangent(sockets.tangent), (1.0, 0.0, 0.0))
-    seen = seen_from(normal, builder.incoming(), tangent, sockets.rotation)
-    surface = {**fresnel, "Normal": normal, "Tangent": tangent, "Anisotropy": sockets.anisotropy,
+    seen = seen_from(normal, builder.incoming(), tangent, sockets.rotation, sockets.anisotropy)
+    surface = {**fresnel, "Normal": normal, "Tangent": seen.tangent, "Anisotropy": sockets.anisotropy,
                "Rotation": where(less(0.0, sockets.anisotropy), sockets.rotation, 0.0)}
     slope = part(f"Slope{OF_KIND[fresnel_type]}")(_slope)
-    lobes = [slope(builder, m, sockets.specular, w, sockets.gaussian, sockets.published, sockets.gaussian_c, seen,
+    lobes = [slope(builder, m, 0.5 * sockets.specular, w, sockets.gaussian, sockets.published, sockets.gaussian_c, seen,
                    surface, fresnel_type) for m, w in slope_operands(sockets)]
     # A printed c of the Gaussian above the one that normalises is held to it, as a closure's weight is to 1.
     with builder.frame("R = s Rs + d Rd"):
@@ -67,39 +64,21 @@ def _build(builder, fresnel_of):
     builder.output("BSDF", total)
 
 
-def _slope(builder, m, specular, w, gaussian, published, gaussian_c, seen, surface, fresnel_type):
+def _slope(builder, m, half_specular, w, gaussian, published, gaussian_c, seen, surface, fresnel_type):
     """The lobes of one rms slope m of weight w: one for Beckmann's D, three for the Gaussian.
 
     seen     of :func:`addon.models.cook_torrance.v_cavity_lobe.seen_from`
     surface  {socket: operand} of the Metallic BSDFs
     """
     anisotropy = surface["Anisotropy"]
-    roughness, weight, leaning = v_cavity_lobe(seen.sine, slope_towards_viewer(m, seen, anisotropy), sqrt(m))
-    leant = _leant(anisotropy, surface["Tangent"], leaning, seen.beside)
-    surface = {**surface, "Anisotropy": leant.anisotropy, "Tangent": leant.tangent}
-    share, share_gaussian = _shares(m, specular, w * weight, gaussian, published, gaussian_c, anisotropy)
-    lobes = [(share, roughness)]
-    with builder.frame("Three lobes"):
-        lobes += [(share_gaussian * w, sqrt(slope / m) * roughness) for w, slope in gaussian_lobes(m)]
+    roughness, weight, leaning = v_cavity_lobe(seen.sine, m * seen.stretch, sqrt(m), seen.free)
+    surface = {**surface, "Anisotropy": anisotropy + leaning}
+    share = (half_specular * w) * weight
+    share_gaussian = share * gaussian_share(m, gaussian, published, gaussian_c, anisotropy)
+    lobes = [(share * (1.0 - gaussian), roughness)]
+    lobes += [(share_gaussian * share_of_three, widening * roughness) for share_of_three, widening in gaussian_lobes(m)]
     lobe = part(f"Beckmann Lobe{OF_KIND[fresnel_type]}")(_beckmann)
     return builder.add_shaders(*[lobe(builder, half, rough, surface, fresnel_type) for half, rough in lobes])
-
-
-@part("Leant")
-def _leant(anisotropy, tangent, leaning, beside):
-    """The lobe's anisotropy and tangent: the surface's own, or where it has none across the plane of N and V."""
-    is_elliptic = less(0.0, anisotropy)
-    return SimpleNamespace(anisotropy=where(is_elliptic, anisotropy, leaning),
-                           tangent=where(is_elliptic, tangent, beside))
-
-
-@part("Half the Share", "Beckmann", "Gaussian")
-def _shares(m, specular, w, gaussian, published, gaussian_c, anisotropy):
-    """Half of what the lobe of Beckmann's D carries, and of what the lobes of the Gaussian do."""
-    share = 0.5 * (specular * w)
-    printed = gaussian_c / elliptic_gaussian_c(*along_across(m, anisotropy))
-    # In the published scale the printed c takes the place of the one that normalises.
-    return share * (1.0 - gaussian), share * (gaussian * (1.0 + published * (printed - 1.0)))
 
 
 def _beckmann(builder, half, roughness, surface, fresnel_type):

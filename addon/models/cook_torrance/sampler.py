@@ -6,6 +6,8 @@ the side that V sees, with probability (V·H)⁺/((V·H)⁺ + (V·H')⁺).  The 
 is p(L) = G1 D/(4π N·V), so the weight f (N·L)/p(L) is F G/G1: no D in it, never
 above F, and 1 on most of the lobe.  E. Heitz and E. d'Eon, "Importance Sampling
 Microfacet-Based BSDFs using the Distribution of Visible Normals", EGSR 2014.
+Both sides, each weighed by that probability, do the same with half the variance
+under a small lamp, which at most one of them lights.
 
 With Sampling Width 0 that is all, and exact.  With a width above 0 a native
 Beckmann lobe that lies under f carries most of the light (:func:`native_lobe`),
@@ -46,8 +48,8 @@ from ...reflectance.masking import smith_lambda_of_slope
 from ...reflectance.sampling import narrowed, squared_tilt, towards_flanks
 from ...reflectance.slopes import along_across, elliptic_gaussian_c, gaussian_c
 
-__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "stretched", "facet", "native_over_d",
-           "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
+__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "native_scale", "stretched", "facet",
+           "native_over_d", "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
 SMALLEST_LEVEL = 1e-3
@@ -155,6 +157,7 @@ def native_fresnel(n, k):
     return f0, clip(f82_tint_of(maximum(f0, SMALLEST), conductor(COS_THETA_82, n, k)), 0.0, 1.0)
 
 
+@part("Scale", "scale", "native scale")
 def scales(m, gaussian, published, printed_c, ellipse=None):
     """Factors on the energy-conserving lobe of slope m: of f, and of the native lobe, at most four.
 
@@ -169,8 +172,13 @@ def scales(m, gaussian, published, printed_c, ellipse=None):
     >>> scales(0.2, 0.0, 0.0, 1.0), scales(0.2, 0.0, 1.0, 1.0)
     ((1.0, 1.0), (4.0, 4.0))
     """
-    named = part("Scale" if ellipse else "Round Scale", "scale", "native scale")
-    return named(_scales)(m, gaussian, published, printed_c, ellipse)
+    return _scales(m, gaussian, published, printed_c, ellipse)
+
+
+@part("Native Scale")
+def native_scale(m, gaussian, published, printed_c, ellipse):
+    """The native lobe's factor of :func:`scales`, where gaussian is the share of both distributions."""
+    return _scales(m, gaussian, published, printed_c, ellipse)[1]
 
 
 def _scales(m, gaussian, published, printed_c, ellipse):
@@ -200,7 +208,7 @@ def stretched(n, tangent, m, anisotropy):
     return SimpleNamespace(is_elliptic=less(0.0, anisotropy), t=t, along=along / m, across=across / m)
 
 
-def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse=None):
+def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse=None, side=None):
     """A facet of rms slope m drawn as the viewer sees it, for a lobe about it.
 
     n, v       unit directions, ``(..., 3)``
@@ -210,12 +218,14 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse
     gaussian   0 for Beckmann's D, 1 for the Gaussian
     u_...      independent and even in [0, 1)
     ellipse    of :func:`stretched`: slopes are drawn as if they were round, and stretched with their lobe
+    side       1 or −1: this side of the groove in place of one that is drawn, weighed by how well V sees it, 0 where
+               not at all; both together are worth twice as many grooves
 
     Returns by name: h, the facet's normal ``(..., 3)``; across, the unit
     direction at right angles to n in which it is tilted, ``(..., 3)``; the lobe in its
     own frame, by lobe_tangent ``(..., 3)`` and its slopes narrow along that and broad
     across it; a_across and a_along, its slopes across and along the ring about n; with an
-    ellipse also covariance, of both, and v_along; stretch, see
+    ellipse also covariance, of both, v_along, and what :func:`native_over_d` needs; stretch, see
     :func:`addon.reflectance.sampling.narrowed`.  And at the mean of what the
     lobe covers, where it is weighed: the cosines n_h, v_h, n_v, n_l; the tilt's
     tangent; v_across; level, V·H over N·H; D as exp(−steepness/m²)/(m·flat)²; and
@@ -228,11 +238,11 @@ def facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse
     >>> round(float(x.n_h), 4), round(float(x.v_h), 4), round(float(x.density), 6)     # tan α = m
     (0.8944, 0.8944, 1.0)
     """
-    named = part("Drawn Facet" if ellipse else "Drawn Round Facet")
-    return named(_facet)(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse)
+    named = part("Drawn Facet" if side is None else "Facet on a Side")
+    return named(_facet)(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse, side)
 
 
-def _facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse):
+def _facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse, side):
     """As :func:`facet` has it."""
     if ellipse is None:
         across, out = rotate(tangent_of(n), n, (2.0 * PI) * u_azimuth), 1.0
@@ -240,12 +250,15 @@ def _facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellips
         across, out = _stretched_direction(n, u_azimuth, ellipse)
     tilt = _tilt(m, a, wide, flanks, u_tilt)
     drawn = _of_distribution(gaussian, tilt.drawn, tilt.weighed2, out, _c_m2(m, ellipse))
-    groove = _side_of_groove(n, v, across, drawn.tangent_drawn, u_side)
+    groove = _drawn_side(n, v, across, drawn.tangent_drawn, u_side) if side is None else \
+        _given_side(n, v, across, drawn.tangent_drawn, side)
     x = _weighed(n, across, a, tilt, drawn, groove)
     if ellipse is None:
         return SimpleNamespace(**vars(x), lobe_tangent=across, narrow=x.a_across, broad=x.a_along)
     lobe = _stretched_lobe(across, x.a_across, x.a_along, n, out, drawn.cos_drawn, drawn.to_angle, ellipse)
-    return SimpleNamespace(**{**vars(x), **vars(lobe)}, v_along=groove.side * dot(cross(n, across), v))
+    slopes = _slopes_over_longest(x, v, groove.side, out, ellipse)
+    return SimpleNamespace(**{**vars(x), **vars(lobe), **vars(slopes)}, is_elliptic=ellipse.is_elliptic,
+                           along=ellipse.along, v_along=groove.side * dot(cross(n, across), v))
 
 
 @part("Tilt")
@@ -274,15 +287,23 @@ def _of_distribution(gaussian, drawn, weighed2, out, c_m2):
 
 
 @part("Side of the Groove")
-def _side_of_groove(n, v, across, tangent_drawn, u_side):
-    """Which side of the groove is drawn, 1 or −1, and how far it is seen, by name."""
+def _drawn_side(n, v, across, tangent_drawn, u_side):
+    """Which side of the groove is drawn, 1 or −1, and what it weighs, by name."""
     n_v, across_v = dot(n, v), dot(across, v)
     # V·H/cos α is n_v + aside on the one side of the groove, and n_v - aside on the other; one of them may be hidden.
     aside = tangent_drawn * across_v
     twice = 2.0 * n_v
     side = 1.0 - 2.0 * less(n_v + aside, twice * u_side)
     return SimpleNamespace(n_v=n_v, side=side, v_across=side * across_v,
-                           seen=minimum(twice / (side * aside + n_v), 1.0))
+                           weight=1.0 / minimum(twice / (side * aside + n_v), 1.0))
+
+
+@part("Given Side of the Groove")
+def _given_side(n, v, across, tangent_drawn, side):
+    """The same of a given side: what it weighs where it is drawn, times how often."""
+    n_v, v_across = dot(n, v), side * dot(across, v)
+    return SimpleNamespace(n_v=n_v, side=side, v_across=v_across,
+                           weight=maximum(tangent_drawn * v_across / (2.0 * n_v) + 0.5, 0.0))
 
 
 @part("Facet")
@@ -294,7 +315,7 @@ def _weighed(n, across, a, tilt, drawn, groove):
         a_across=a * (drawn.to_angle * drawn.to_angle), a_along=tilt.along * drawn.to_angle, stretch=tilt.stretch,
         n_h=drawn.n_h, n_v=groove.n_v, n_l=(2.0 * level) * (drawn.n_h * drawn.n_h) - groove.n_v,
         v_h=drawn.n_h * level, tangent=drawn.tangent, v_across=groove.v_across, level=level, steepness=tilt.weighed2,
-        flat=drawn.flat, density=drawn.density * tilt.density / groove.seen)
+        flat=drawn.flat, density=drawn.density * tilt.density * groove.weight)
 
 
 @part("Stretched Direction", "direction", "length")
@@ -389,18 +410,18 @@ def _gaussian(drawn, weighed2, c_m2):
             less(weighed, STEEPEST) * c_m2 * sine * cos_drawn / alpha, 1.0)
 
 
-@part("D native / D")
 def native_over_d(x, m, lean):
     """D G of the native lobe over D, and N·V over its own: what it reflects in units of the formula's F D/(4π N·V).
 
     x     from :func:`facet`
     m     rms slope
-    lean  of :func:`native_lobe`
+    lean  of :func:`native_lobe`; 0 where the facets' slopes are stretched
 
     Evaluated so that blurring it gives this: the blur makes exp(−κy) to
     exp(−κy/(1 + κb))/(1 + κb), with κ + 1 the square of m over the lobe's slope
     and b = stretch − 1 the relative variance of stretched slopes, so a narrower
-    and higher curve is blurred.
+    and higher curve is blurred.  A stretched lobe has as much of both slopes as a
+    round one has of the longer.
 
     >>> from addon.reflectance.directions import direction
     >>> up = direction(0.0, 0.0)
@@ -408,17 +429,55 @@ def native_over_d(x, m, lean):
     >>> round(float(native_over_d(x, 0.5, 0.0)), 4)
     0.9637
     """
+    return part("D native / D" if _is_stretched(x) else "Round D native / D")(_native_over_d)(x, m, lean)
+
+
+def _native_over_d(x, m, lean):
+    """As :func:`native_over_d` has it."""
     tan2_h = _steepness_about(x.n_v, x.v_across, x.tangent, x.level, lean)
     slope2_v, slope2_l = _slopes_about(x.n_v, x.n_l, x.v_h, lean)
-    m2, m_native = m * m, native_slope(m)
+    longest, steepness, of_v, of_l = m, tan2_h, slope2_v, slope2_l
+    if _is_stretched(x):
+        longest, steepness, of_v, of_l = _as_if_longest(x, m, tan2_h, slope2_v, slope2_l)
+    m2, m_native = m * m, native_slope(longest)
     m2_native = m_native * m_native
-    narrower = m2 / m2_native
+    narrower = (longest * longest) / m2_native
     masked, shadowed = (
-        smith_lambda_of_slope(sqrt(m2_native * slope2 + (-m2_native))) for slope2 in (slope2_v, slope2_l))
+        smith_lambda_of_slope(sqrt(m2_native * slope2 + (-m2_native))) for slope2 in (of_v, of_l))
     sharper = 1.0 / (1.0 - minimum((narrower - 1.0) * (x.stretch - 1.0), 0.5))
-    ratio = exp((sharper / m2) * (x.steepness - narrower * tan2_h) + log(sharper * narrower))
+    ratio = exp((sharper / m2) * (x.steepness - narrower * steepness) + log(sharper * narrower))
     peaks = (tan2_h + 1.0) * x.flat
     return (peaks * peaks) * ratio * (x.n_v * sqrt(slope2_v)) / (masked + shadowed + 1.0)
+
+
+@part("Round or Stretched", "longest", "tan²", "of V", "of L")
+def _as_if_longest(x, m, tan2_h, slope2_v, slope2_l):
+    """The longest slope, and the steepness of H and the squares of the slopes of V and L as if all were the longest."""
+    return (m * where(x.is_elliptic, x.along, 1.0), where(x.is_elliptic, x.round_tan2, tan2_h),
+            where(x.is_elliptic, x.slope2_v, slope2_v), where(x.is_elliptic, x.slope2_l, slope2_l))
+
+
+@part("Slopes over the Longest")
+def _slopes_over_longest(x, v, side, out, ellipse):
+    """tan² of H before it was stretched, and the squares of the slopes of V and L over the longest of D, and 1.
+
+    A direction's slope along the short axis counts for as much less as that axis is shorter.
+    """
+    shorter = ellipse.across / ellipse.along
+    saved = 1.0 - shorter * shorter  # of the square of a slope along the short axis
+    v_t = dot(v, ellipse.t)
+    h_t = (x.n_h * x.tangent) * (side * dot(x.across, ellipse.t))
+    l_t = (2.0 * x.v_h) * h_t - v_t
+    return SimpleNamespace(round_tan2=(x.tangent / out) * (x.tangent / out),
+                           slope2_v=_slope2_over_longest(x.n_v, v_t, shorter, saved),
+                           slope2_l=_slope2_over_longest(maximum(x.n_l, SMALLEST), l_t, shorter, saved))
+
+
+def _slope2_over_longest(cosine, along, shorter, saved):
+    """The square of a direction's slope over the longest, and 1; of its cosine and its component along the tangent."""
+    cosine2 = cosine * cosine
+    flat2 = (shorter * shorter) * (1.0 - cosine2) + saved * (along * along)
+    return flat2 / cosine2 + 1.0
 
 
 @part("Steepness about the Native Lobe")

@@ -11,69 +11,85 @@ and m = 0.6.  Where a surface is anisotropic itself, its lobes keep its own anis
 
 from types import SimpleNamespace
 
-from ...operands import cross, dot, length, less, maximum, minimum, part, rotate, sqrt, where
+from ...operands import (
+    cross,
+    dot,
+    length,
+    less,
+    maximum,
+    minimum,
+    multiply_add,
+    part,
+    rotate,
+    sqrt,
+    where,
+    widen,
+    x_of,
+    y_of,
+    z_of,
+)
 from ...reflectance.directions import PI, frame_along
-from ...reflectance.slopes import along_across
 
-__all__ = ["of_slope", "seen_from", "slope_towards_viewer", "v_cavity_lobe"]
+__all__ = ["of_slope", "seen_from", "v_cavity_lobe"]
 
 ROUGHEST_FITTED = 0.65
 """Above this slope the fit's factors are those of this slope."""
 
 SMALLEST_SINE = 1e-4
 
-WIDENED = ((0.1421, -0.5789, -0.0254), (-0.926, 6.4518, -5.3599), (-1.6418, -2.2971, 6.5308),
-           (1.1834, -6.2481, 0.0065), (2.0976, 1.359, -0.678))
-WEIGHT = ((0.0256, 0.088, -1.5541), (0.259, -0.8856, 6.3854), (2.76, -7.0633, -2.0595),
-          (-2.2211, 5.9279, -1.4932))
-"""What each power of q adds to the factors on the roughness and the weight: a, b and c of m² (a + b m + c m²)."""
+OF_NOTHING = (1.0, 1.0, 0.0)
+"""Roughness, weight and anisotropy of a lobe that is left as it is."""
 
-LEANING = (0.348, 0.465)
-"""The anisotropy is sine (a q³ + b m⁴ (1 − q))."""
+CHANGES = (
+    ((0.1421, 0.0256, 0.0), (-0.5789, 0.088, 0.0), (-0.0254, -1.5541, 0.465)),
+    ((-0.926, 0.259, 0.0), (6.4518, -0.8856, 0.0), (-5.3599, 6.3854, -0.465)),
+    ((-1.6418, 2.76, 0.0), (-2.2971, -7.0633, 0.0), (6.5308, -2.0595, 0.0)),
+    ((1.1834, -2.2211, 0.0), (-6.2481, 5.9279, 0.0), (0.0065, -1.4932, 0.0)),
+    ((2.0976, 0.0, 0.0), (1.359, 0.0, 0.0), (-0.678, 0.0, 0.0)),
+)
+"""What each power of q adds to them: a, b and c of m² (a + b m + c m²)."""
+
+LEANING = (0.0, 0.0, 0.348)
+"""What the third power of q adds whatever the slope."""
 
 
 @part("Seen From")
-def seen_from(n, v, tangent, rotation):
-    """How a surface is seen, by name: N×V and its length, the sine between them, and V along and across a tangent.
+def seen_from(n, v, tangent, rotation, anisotropy):
+    """How a surface is seen, by name: what lobes of any slope have in common.
 
-    n, v      unit normal and direction to the viewer
-    tangent   what the slopes are stretched along, turned by `rotation` about n
+    n, v       unit normal and direction to the viewer
+    tangent    what the slopes are stretched along, turned by `rotation` about n
+    anisotropy [0, 1); where it is 0 all that the tangent adds to the nodes folds away
+
+    sine       of the angle from N to V
+    free       the same where there is no anisotropy, and lobes may have their own; else 0
+    tangent    what lobes are stretched along: N×V where they have their own
+    stretch    rms slope in the plane of N and V over m
 
     >>> from addon.reflectance.directions import direction
-    >>> seen = seen_from(direction(0.0, 0.0), direction(0.5, 0.0), direction(0.3, 0.0), 0.25)
-    >>> [round(float(x), 4) + 0.0 for x in (seen.sine, seen.v_t, seen.v_b)]
-    [0.4794, 0.0, -0.4794]
+    >>> seen = seen_from(direction(0.0, 0.0), direction(0.5, 0.0), direction(0.3, 0.0), 0.25, 0.6)
+    >>> [round(float(x), 4) + 0.0 for x in (seen.sine, seen.free, seen.stretch)]
+    [0.4794, 0.0, 0.6782]
     """
+    is_elliptic = less(0.0, anisotropy)
     t, b = frame_along(n, rotate(tangent, n, (2.0 * PI) * rotation))
     beside = cross(n, v)
-    return SimpleNamespace(beside=beside, sine=length(beside), v_t=dot(v, t), v_b=dot(v, b))
-
-
-@part("Slope towards V")
-def slope_towards_viewer(m, seen, anisotropy):
-    """Rms slope in the plane of N and V, of facets of rms slope m.
-
-    seen        of :func:`seen_from`
-    anisotropy  [0, 1); where it is 0 all that this adds to the nodes folds away
-
-    >>> from addon.reflectance.directions import direction
-    >>> seen = seen_from(direction(0.0, 0.0), direction(0.5, 0.0), direction(0.3, 0.0), 0.25)
-    >>> slopes = [slope_towards_viewer(m, seen, 0.6) for m in (0.2, 0.2 * 1.4744 / 0.6782)]
-    >>> [round(float(slope), 4) for slope in slopes]
-    [0.1356, 0.2949]
-    """
-    along, across = along_across(m, anisotropy)
-    x, y = along * seen.v_t, across * seen.v_b
-    return where(less(0.0, anisotropy), sqrt(x * x + y * y) / maximum(seen.sine, SMALLEST_SINE), m)
+    sine = length(beside)
+    aspect = sqrt(1.0 - 0.9 * anisotropy)
+    along, across = dot(v, t) / aspect, dot(v, b) * aspect
+    stretched = sqrt(along * along + across * across) / maximum(sine, SMALLEST_SINE)
+    return SimpleNamespace(sine=sine, free=sine * (1.0 - is_elliptic), stretch=where(is_elliptic, stretched, 1.0),
+                           tangent=where(widen(is_elliptic), tangent, beside))
 
 
 @part("V-cavity Lobe", "roughness", "weight", "anisotropy")
-def v_cavity_lobe(sine, m, roughness=1.0):
+def v_cavity_lobe(sine, m, roughness=1.0, free=None):
     """What the lobe's roughness √m becomes, its weight, and its anisotropy across the plane of N and V.
 
     sine       of the angle from N to V, ``(...)``
     m          rms slope in the direction of V, ``(...)``
     roughness  √m; of 1, what it is multiplied by
+    free       the sine where the lobe may have an anisotropy; by default everywhere
 
     All are polynomials in q = m²/(m² + t), t = (2 tan(h/2))² = 8/(1 + sine) − 4 with V's height h above the horizon:
     q runs from m²/4 or so, where V is straight above, to 1 at the horizon, and is ½ where facets of about the slope m
@@ -82,15 +98,12 @@ def v_cavity_lobe(sine, m, roughness=1.0):
     >>> [round(float(x), 4) for x in v_cavity_lobe(0.0, 0.1)], [round(float(x), 4) for x in v_cavity_lobe(0.94, 0.5)]
     ([1.0008, 1.0002, 0.0], [0.978, 1.0402, 0.107])
     """
-    held, m2 = minimum(m, ROUGHEST_FITTED), m * m
-    q = m2 / ((8.0 / (1.0 + sine) - 4.0) + m2)
-    # Multiplied into what a material keeps constant, √m costs the renderer nothing.
-    widened = roughness * (1.0 + of_slope(held, *WIDENED[0]))
-    higher = [roughness * of_slope(held, *factors) for factors in WIDENED[1:]]
-    weight = [of_slope(held, *factors) for factors in WEIGHT]
-    upright = LEANING[1] * ((held * held) * (held * held))
-    return (widened + q * _polynomial(q, higher), (1.0 + weight[0]) + q * _polynomial(q, weight[1:]),
-            sine * (upright + q * (LEANING[0] * (q * q) - upright)))
+    held, m2 = widen(minimum(m, ROUGHEST_FITTED)), m * m
+    q = widen(m2 / ((8.0 / (1.0 + sine) - 4.0) + m2))
+    constant, first, second, third, total = (of_slope(held, *factors) for factors in CHANGES)
+    for factor in (third + LEANING, second, first, constant + OF_NOTHING):
+        total = multiply_add(q, total, factor)
+    return roughness * x_of(total), y_of(total), (sine if free is None else free) * z_of(total)
 
 
 @part("m² (a + b m + c m²)")
@@ -100,12 +113,4 @@ def of_slope(m, a, b, c):
     >>> round(float(of_slope(0.5, 1.0, 2.0, 4.0)), 4)
     0.75
     """
-    return (m * m) * (a + m * (b + c * m))
-
-
-def _polynomial(q, factors):
-    """Σ factorsᵢ qⁱ by Horner's rule."""
-    total = factors[-1]
-    for factor in reversed(factors[:-1]):
-        total = factor + total * q
-    return total
+    return (m * m) * multiply_add(m, multiply_add(m, c, b), a)

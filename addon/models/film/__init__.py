@@ -74,7 +74,7 @@ MODEL = Model(
         Group("film_fast", "Film Standard", 10, "fast.build",
               "Films of measured layers, clean and fast: the one to take first",
               stand_in="film_eevee", pictured=True),
-        Group("film_exact", "Film Reference", 10, "exact.build",
+        Group("film_exact", "Film Reference", 11, "exact.build",
               "Films of measured layers, at the angle of every facet: slower and noisier, to compare with",
               stand_in="film_eevee", pictured=True),
         Group("film_osl", "Film OSL", 3, "osl.build",
@@ -110,6 +110,7 @@ MODEL = Model(
     made_of="stack",
     own_data="own_layers",
     picture=_picture,
+    newcomers=True,
     work_ahead=_work_ahead,
     no_longer=_no_longer,
 )
