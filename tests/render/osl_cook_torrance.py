@@ -34,6 +34,8 @@ UNIT = (0.0, 1.0)
 FIELDS = ("H", "across", "a_across", "a_along", "stretch", "n_h", "n_v", "n_l", "v_h", "tangent", "v_across",
           "v_along", "steepness", "peak", "density", "lobe_tangent", "narrow", "broad", "covariance",
           "is_elliptic", "longest", "even", "seen_v", "seen_l")
+OF_STRETCHED = 5
+"""How many of them, the last, only the native lobe under stretched slopes needs."""
 DIRECTIONS = ("H", "across", "lobe_tangent")
 
 
@@ -53,9 +55,9 @@ def ellipse_of(t, along, across):
     return SimpleNamespace(is_elliptic=1.0, t=t, along=along, across=across)
 
 
-def facet(n, v, m, a, wide, flanks, gaussian, t, along, across, u_tilt, u_azimuth, side):
-    """The formula's facet, in the script's order."""
-    x = sampler.facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, None, ellipse_of(t, along, across), side)
+def facet(n, v, m, a, wide, flanks, gaussian, t, along, across, u_tilt, u_azimuth, side, u_side=None):
+    """The formula's facet, in the script's order; a side of None is drawn."""
+    x = sampler.facet(n, v, m, a, wide, flanks, gaussian, u_tilt, u_azimuth, u_side, ellipse_of(t, along, across), side)
     return list(vars(fields_of(x)).values())
 
 
@@ -183,8 +185,9 @@ def cosine_over_longest(cosine, along, shorter):
     return 1.0 / np.sqrt(sampler._slope2_over_longest(cosine, along, shorter, 1.0 - shorter * shorter))
 
 
-def native_lobes_cases():
-    x, m = seen_facets()
+def native_lobes_cases(longest=3.0):
+    """Facets, slopes, and leans that are 0 where slopes are stretched."""
+    x, m = seen_facets(longest)
     return [x, m, single(sampler.native_lobe(x.n_v, m)[1] * (1.0 - x.is_elliptic))]
 
 

@@ -177,7 +177,11 @@ def scales(m, gaussian, published, printed_c, ellipse=None):
 
 @part("Native Scale")
 def native_scale(m, gaussian, published, printed_c, ellipse):
-    """The native lobe's factor of :func:`scales`, where gaussian is the share of both distributions."""
+    """The native lobe's factor of :func:`scales`, where gaussian is a share of both distributions.
+
+    >>> native_scale(0.2, 0.5, 0.0, 1.0, None)
+    0.985
+    """
     return _scales(m, gaussian, published, printed_c, ellipse)[1]
 
 
