@@ -7,6 +7,7 @@ import pytest
 
 from addon.models.layered_rgb import formulas as layered
 from addon.verify import layered_rgb_scenes as scenes_of_layers
+from tests.bench import measure_layered_rings
 from tests.render import probes
 from tests.render.layered_scenes import (
     TILE_ANGLES,
@@ -197,6 +198,15 @@ def test_fast_furnace_of_deviated_boundaries(parameters, realisation):
     expected = albedos(**parameters)
     leaves = expected > 0.25 * expected[0]
     np.testing.assert_allclose(measured[leaves], expected[leaves], rtol=0.05)
+
+
+@pytest.mark.parametrize("parameters, polar", [
+    (FIGURE_3, 30.0), (FIGURE_3, 45.0), (FIGURE_5, 45.0), (FIGURE_5, 60.0)])
+@pytest.mark.parametrize("thickness", [70.0, 170.0])
+def test_fast_rings_under_a_sun_of_no_size(parameters, polar, thickness):
+    """The mean of every ring that has 2 % of the brightest one's light is within 10 % of the formula's."""
+    off = measure_layered_rings.largest_of_the_rings({**parameters, "thickness": thickness}, math.radians(polar))
+    assert off < 0.1
 
 
 @pytest.mark.parametrize("realisation", ["fast", "exact", "osl"])
