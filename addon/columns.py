@@ -16,4 +16,5 @@ def columns(x):
     >>> columns(np.array([[1.0, 2.0], [3.0, 4.0]])).tolist()
     [[1.0, 3.0], [2.0, 4.0]]
     """
-    return np.ascontiguousarray(np.moveaxis(np.asarray(x, float), -1, 0))
+    x = np.asarray(x, float)
+    return np.ascontiguousarray(x.transpose(-1, *range(x.ndim - 1)))

@@ -54,7 +54,7 @@ def _material(preset, **parameters):
 
 def glass_of_water(job):
     """Three faces: glass against air, glass against water, water against air; the second one once."""
-    scene = clear_scene(job, 1200, 1500, 24)
+    scene = clear_scene(job, 960, 1200, 24)
     glass = _material("low_iron_glass", scene_scale=0.05)
     dry = (*TUMBLER_OUTSIDE, *TUMBLER_LIP, TUMBLER_INSIDE[0])
     turned_object("Glass against air", dry, glass)
@@ -70,7 +70,7 @@ def glass_of_water(job):
     add_softbox(scene, (-5.0, -1.0, 3.5), (0.0, 0.0, 1.0), (1.5, 4.0), 3.5)
     add_softbox(scene, (4.5, -2.0, 3.0), (0.0, 0.0, 1.0), (0.4, 4.0), 6.0)
     add_camera(scene, (0.0, -9.0, 2.6), (0.0, 0.0, 1.22), 88.0)
-    job.write(job.render(scene, "glass of water"), "clear_water.jpg")
+    job.write(job.render(scene, "glass of water"), "clear_water.jpg", most_bytes=80_000)
     job.save_scene("clear_water")
 
 

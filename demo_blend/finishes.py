@@ -66,4 +66,4 @@ def _objects(material):
         target.data.materials.append(material)
 
 
-FIGURES = (Figure("finishes", "All finishes, on copper and on plastic", 120.0, finishes),)
+FIGURES = (Figure("finishes", "All finishes, on copper and on plastic", 240.0, finishes),)

@@ -182,7 +182,7 @@ def lab(rgb, space="Rec.709"):
     """
     ratio = rgb @ (rgb_to_xyz(space) / _xyz_of(D65)[:, None]).T
     t = np.where(ratio > (6 / 29) ** 3, np.cbrt(np.maximum(ratio, 0.0)), ratio * (29 / 6) ** 2 / 3 + 4 / 29)
-    x, y, z = np.moveaxis(t, -1, 0)
+    x, y, z = t[..., 0], t[..., 1], t[..., 2]
     return np.stack([116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)], axis=-1)
 
 

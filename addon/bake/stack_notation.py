@@ -18,10 +18,8 @@ import re
 from typing import NamedTuple
 
 from ..errors import FacetFilmError
-from .film_names import film_lookup
-from .film_stack import Film, Stack
 
-__all__ = ["Layer", "Layers", "layers_of", "parse", "text_of", "written", "is_stack"]
+__all__ = ["Layer", "Layers", "layers_of", "parse", "text_of", "written"]
 
 NUMBER = r"(\d+\.?\d*|\.\d+)"
 THICKNESS = re.compile(rf"^(.*\S)\s+(-?){NUMBER}\s*(?:[-–]\s*{NUMBER}\s*)?(nm|µm|μm|um|Å)$")
@@ -47,15 +45,6 @@ class Layers(NamedTuple):
     below: str
 
 
-def is_stack(text):
-    """Whether a text is meant as a stack: has a bar, or slashes with spaces around.
-
-    >>> is_stack("SiO2 0-1000 nm / Si"), is_stack("main/Cu/Johnson")
-    (True, False)
-    """
-    return isinstance(text, str) and (" / " in text or "|" in text)
-
-
 def parse(text, lookup):
     """The Stack that a text says.
 
@@ -74,6 +63,8 @@ def parse(text, lookup):
     ...
     addon.errors.FacetFilmError: At 'SiO2 -60 nm': a thickness is from 0 nm on, the lower end of a range first.
     """
+    from .film_names import film_lookup
+    from .film_stack import Film, Stack
     said, find = layers_of(text), functools.cache(film_lookup(lookup))  # films alike are then told by their constants
     films = tuple(Film(film.word, _found(film.word, film.place, find), film.low, film.high) for film in said.films)
     return Stack(said.outside, _found(said.outside, said.outside, find), films,

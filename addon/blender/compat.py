@@ -57,7 +57,7 @@ def converts_colours():
 
 def renderer():
     """What decides which numbers a material needs here, as an addon.models.model.Renderer."""
-    from ..models.model import Renderer
+    from ..models.renderer import Renderer
     return Renderer(conductor_formula(), working_space())
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .. import models
-from ..spectra import tables
 
 __all__ = ["Entry", "THUMBNAILS", "column", "entries", "forget", "in_category", "size_of", "stated", "thumbnail"]
 
@@ -60,6 +59,7 @@ def column(part, make):
     part  name of the table's part
     make  function(preset) -> the text, where the table has it not
     """
+    from ..spectra import tables
     rows = tables.part("catalogue", "entries")["rows"]
     kept = {row[0]: text for row, text in zip(rows, tables.part("catalogue", part)["texts"])}
     return tuple(kept[entry.name] if _is_kept(entry.model) else make(_presets_of(entry.model)[entry.name])
@@ -109,6 +109,7 @@ def stated(preset):
 
 def _by_model():
     """The fields of the Entries by model, in the order of the models."""
+    from ..spectra import tables
     kept = {}
     for row in tables.part("catalogue", "entries")["rows"]:
         kept.setdefault(row[4], []).append(row)
@@ -118,6 +119,7 @@ def _by_model():
 
 @functools.cache
 def _is_kept(model):
+    from ..spectra import tables
     return tables.part("catalogue", "models").get(model) == size_of(model)
 
 

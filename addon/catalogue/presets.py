@@ -89,10 +89,20 @@ def all_presets():
 @functools.cache
 def of_model(model):
     """The presets of one model by their names, as its presets.json has them; {} without one."""
+    return {name: _preset(model, name) for name in _records(model)}
+
+
+@functools.cache
+def _preset(model, name):
+    return Preset(model=model, **{key: _frozen(value) for key, value in _records(model)[name].items()})
+
+
+@functools.cache
+def _records(model):
+    """{name: what presets.json says of it}: a Preset is made of what is asked for."""
     file = models.folders()[model] / "presets.json"
     records = json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
-    found = {record["name"]: Preset(model=model, **{key: _frozen(value) for key, value in record.items()})
-             for record in records}
+    found = {record["name"]: record for record in records}
     if len(found) < len(records):
         raise ValueError(f"two presets of {file} are called the same")
     return found
@@ -128,12 +138,13 @@ def find(name):
         if not found:
             choice("preset", name, by_plain_name)
         name = found
-    return of_model(known[name].model)[name]
+    return _preset(known[name].model, name)
 
 
 def forget():
     """Read the files anew, after a model was put on the path of addon.models or taken off it."""
-    of_model.cache_clear()
+    for read in (of_model, _preset, _records):
+        read.cache_clear()
     _by_any_name.cache_clear()
 
 
@@ -154,6 +165,8 @@ def _plain(name):
 
 def _frozen(value):
     """Lists as tuples, dicts that cannot be changed."""
+    if isinstance(value, str):
+        return value
     if isinstance(value, list):
         return tuple(map(_frozen, value) if isinstance(value and value[0], (list, dict)) else value)
     return MappingProxyType({key: _frozen(item) for key, item in value.items()}) if isinstance(value, dict) else value

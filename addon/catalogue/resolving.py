@@ -10,7 +10,7 @@ from ..spectra.optical_constants import OpticalConstants, dataset_of_address, lo
 from . import presets
 from .presets import Preset
 
-__all__ = ["Resolved", "layer", "layers_in", "of_stack", "require_measured", "resolve", "resolve_widely"]
+__all__ = ["Resolved", "is_stack", "layer", "layers_in", "of_stack", "require_measured", "resolve", "resolve_widely"]
 
 OWN = "file:"
 """What the dataset of a measurement of the user's own begins with."""
@@ -55,7 +55,6 @@ def resolve(what, choose=()):
         return Resolved(_unnamed(what), what)
     if not isinstance(what, str):
         raise FacetFilmError("A material is a preset's name or a dataset's id, not {value!r}.", value=what)
-    from ..bake.stack_notation import is_stack
     from ..spectra import readers
     if "\n" in what:
         return resolve(readers.read_text(what, choose=choose))
@@ -69,6 +68,16 @@ def resolve(what, choose=()):
         if os.path.isfile(what):
             return resolve(readers.read_file(what, choose))
         raise
+
+
+def is_stack(text):
+    """Whether a text is meant as layers in the notation of addon.bake.stack_notation: has a bar, or slashes with spaces
+    around.
+
+    >>> is_stack("SiO2 0-1000 nm / Si"), is_stack("main/Cu/Johnson")
+    (True, False)
+    """
+    return isinstance(text, str) and (" / " in text or "|" in text)
 
 
 def _is_address(what):
@@ -85,7 +94,6 @@ def resolve_widely(what):
     try:
         return resolve(what)
     except FacetFilmError:
-        from ..bake.stack_notation import is_stack
         from .search import search
         worded = isinstance(what, str) and what.count("/") < 2 and not is_stack(what)
         found = [entry for entry in search(what, 20) if entry.dataset] if worded else ()

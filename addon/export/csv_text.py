@@ -1,8 +1,5 @@
 """Spectra and curves as CSV: a line of headings, commas, decimal points, every digit that a number has."""
 
-from ..reflectance.fresnel import conductor
-from ..spectra.readers.points import why_k_is_missing
-
 __all__ = ["spectrum_csv", "curve_csv"]
 
 
@@ -16,6 +13,8 @@ def spectrum_csv(constants):
     >>> spectrum_csv(load("main/Cu/Johnson")).splitlines()[0]
     'wavelength_nm,n,k'
     """
+    from ..reflectance.fresnel import conductor
+    from ..spectra.readers.points import why_k_is_missing
     if constants.normal_only:
         named = {"R": conductor(1.0, constants.n, 0.0)}
     else:

@@ -1,6 +1,5 @@
 """The finishes, and what each says of a surface.  Read when Blender starts, so it loads nothing."""
 
-from collections import namedtuple
 from types import MappingProxyType
 
 from ..errors import FacetFilmError, choice
@@ -8,11 +7,9 @@ from ..errors import FacetFilmError, choice
 __all__ = ["Finish", "all_finishes", "find", "names", "of_group"]
 
 WARD = "G. J. Ward, SIGGRAPH 1992, Table 1"
-FIELDS = "name title note slopes source chosen anisotropy group controls"
-DEFAULTS = (False, 0.0, "", MappingProxyType({}))
 
 
-class Finish(namedtuple("Finish", FIELDS, defaults=DEFAULTS)):
+class Finish:
     """What was done to a surface.
 
     name        what scripts call it
@@ -26,7 +23,10 @@ class Finish(namedtuple("Finish", FIELDS, defaults=DEFAULTS)):
     controls    {socket: value} of it where they are not its defaults
     """
 
-    __slots__ = ()
+    def __init__(self, name, title, note, slopes, source, *, chosen=False, anisotropy=0.0, group="",
+                 controls=MappingProxyType({})):
+        self.name, self.title, self.note, self.slopes, self.source = name, title, note, slopes, source
+        self.chosen, self.anisotropy, self.group, self.controls = chosen, anisotropy, group, controls
 
     @property
     def roughness(self):

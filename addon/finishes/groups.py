@@ -7,9 +7,10 @@ from ..models.model import Group
 __all__ = ["GROUPS", "build"]
 
 GROUPS = (
-    Group("finish_brushed", "Brushed", 3, "brushed.build", "Parallel streaks, for Roughness, Normal and Tangent"),
-    Group("finish_brushed_circular", "Brushed Circular", 3, "circular.build",
-          "Streaks in circles, for Roughness, Normal and Tangent"),
+    Group("finish_brushed", "Brushed", 4, "brushed.build",
+          "Parallel streaks, for Roughness, Normal, Tangent and Diffuse Color"),
+    Group("finish_brushed_circular", "Brushed Circular", 4, "circular.build",
+          "Streaks in circles, for Roughness, Normal, Tangent and Diffuse Color"),
     Group("finish_sandblasted", "Sandblasted", 5, "sandblasted.build",
           "An even, fine grain, for Roughness, Normal and Diffuse Color"),
     Group("finish_hammered", "Hammered", 4, "hammered.build", "Shallow dimples, for Roughness and Normal"),

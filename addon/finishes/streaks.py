@@ -6,11 +6,25 @@ to the axis, which a slice would only graze, are brushed by themselves.
 
 from ..models.parameters import Direction, Slider, Triple
 from ..operands import absolute, clip, dot, less, normalize, part, where
-from .place import COORDINATES, NORMAL, NOTHING, ROUGHNESS, band, depth, noise, scale, tilted, to_object
+from .place import (
+    COORDINATES,
+    DIFFUSE,
+    NORMAL,
+    NOTHING,
+    ROUGHNESS,
+    band,
+    depth,
+    noise,
+    scale,
+    tilted,
+    to_object,
+    whitened,
+    whitening,
+)
 
-__all__ = ["DRIVES", "ends", "mixed", "on_surface", "output", "streak", "table", "unit_axis"]
+__all__ = ["DRIVES", "ends", "mixed", "on_surface", "output", "paler", "streak", "table", "unit_axis"]
 
-DRIVES = ("Roughness", "Normal", "Tangent")
+DRIVES = ("Roughness", "Normal", "Tangent", "Diffuse Color")
 ENDS = (0.72, 0.88)
 """Cosines to the axis between which a face becomes an end."""
 SPREAD, OCTAVES, FINENESS = 4.0, 4.0, 0.75
@@ -22,13 +36,13 @@ STEEPEST = 0.4
 def table(axis_tip):
     """The rows of a group of streaks about an axis."""
     return (
-        ROUGHNESS, scale(50.0, "Streaks"), depth(0.5, "How far the streaks tilt the surface"),
+        ROUGHNESS, DIFFUSE, scale(50.0, "Streaks"), depth(0.5, "How far the streaks tilt the surface"),
         Slider(name="uneven", socket="Unevenness", default=0.3, low=0.0, high=1.0, subtype="FACTOR",
                tip="How much the roughness varies from streak to streak"),
         Slider(name="stretch", socket="Length", default=60.0, low=1.0, high=10000.0, never_zero=True,
                tip="Length of the streaks, in their widths"),
         Triple(name="axis", socket="Axis", default=(0.0, 0.0, 1.0), low=-1.0, high=1.0, tip=axis_tip),
-        *COORDINATES, NORMAL,
+        whitening(0.3), *COORDINATES, NORMAL,
         Direction(name="tangent", symbol="T", socket="Tangent",
                   tip="Direction across the streaks, in which they scatter light; their own where nothing is plugged "
                       "in"))
@@ -66,13 +80,22 @@ def streak(builder, s, at, height, axis):
     return clip(SPREAD * (noise(builder, slow + axis * (height * s.scale), 1.0, OCTAVES, FINENESS) - 0.5), -1.0, 1.0)
 
 
+@part("Paler Streaks")
+def paler(diffuse, most, mask):
+    """The diffuse colour, paler on the crests of the streaks."""
+    return whitened(diffuse, most * mask * mask)
+
+
 def output(builder, s, n, streaks, across):
     """What the streaks drive."""
     with builder.frame("Surface"):
         across = where(less(dot(s.tangent, s.tangent), NOTHING), across, s.tangent)
         rough = clip(s.roughness * (1.0 + s.uneven * streaks), 0.0, 1.0)
         tilt = tilted(n, (across, STEEPEST * s.depth * streaks))
+        mask = 0.5 + 0.5 * streaks
+        pale = paler(s.diffuse, s.whitening, mask)
     builder.output("Roughness", rough, description="Roughness that varies from streak to streak")
     builder.output("Normal", tilt, description="Normal that the streaks tilt")
     builder.output("Tangent", across, description="Direction across the streaks, in which they scatter light")
-    builder.output("Mask", 0.5 + 0.5 * streaks, description="The streaks, between 0 and 1")
+    builder.output("Diffuse Color", pale, "COLOR", description="Diffuse colour, paler in the streaks")
+    builder.output("Mask", mask, description="The streaks, between 0 and 1")

@@ -7,19 +7,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .parameters import Checked, read, sockets_of, written
+from .renderer import Renderer
 
 __all__ = ["Baked", "Feed", "Form", "Group", "Look", "Model", "Picture", "Renderer", "Swatch"]
-
-
-class Renderer(NamedTuple):
-    """What decides which numbers a material needs.
-
-    formula  the conductor Fresnel that the renderer's closures evaluate: one of addon.bake.FORMULAS
-    space    the scene-linear space of the file
-    """
-
-    formula: str = "exact"
-    space: str = "Rec.709"
 
 
 @dataclasses.dataclass(frozen=True)

@@ -288,7 +288,8 @@ def checked_class(name, table):
     addon.errors.FacetFilmError: width must be a number at least 0, not -1.
     """
     fields = [(row.name, object, dataclasses.field(default=row.unsaid)) for row in table if row.is_value]
-    return dataclasses.make_dataclass(name, fields, bases=(Checked,), frozen=True, namespace={"TABLE": table})
+    said = {"__doc__": "Checked parameters, a field a row of TABLE.", "TABLE": table}  # it else reads its signature
+    return dataclasses.make_dataclass(name, fields, bases=(Checked,), frozen=True, namespace=said)
 
 
 def sockets_of(table, realisation="", group=""):

@@ -1,13 +1,11 @@
 """The ways from a formula to a Cycles material.  Read when Blender starts, so it loads nothing."""
 
-from collections import namedtuple
-
 from ..errors import choice
 
 __all__ = ["NAMES", "REALISATIONS", "Realisation", "realisation_chosen", "realisation_named"]
 
 
-class Realisation(namedtuple("Realisation", "title tip native osl without_osl", defaults=(False, False, ""))):
+class Realisation:
     """A way from a formula to a Cycles material.
 
     title        what people call it
@@ -17,7 +15,8 @@ class Realisation(namedtuple("Realisation", "title tip native osl without_osl", 
     without_osl  name of the realisation that a script's material shows where Open Shading Language is off
     """
 
-    __slots__ = ()
+    def __init__(self, title, tip, *, native=False, osl=False, without_osl=""):
+        self.title, self.tip, self.native, self.osl, self.without_osl = title, tip, native, osl, without_osl
 
 
 REALISATIONS = {

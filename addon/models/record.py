@@ -36,8 +36,7 @@ class Source:
         """What :func:`addon.catalogue.resolving.resolve` understands."""
         if not self.data:
             return self.name
-        from ..bake.stack_notation import is_stack
-        from ..catalogue.resolving import of_stack
+        from ..catalogue.resolving import is_stack, of_stack
         if is_stack(self.name):
             return of_stack(self.name, self.data)
         from ..spectra.readers import read_text

@@ -247,8 +247,7 @@ class GroupBuilder:
 
         Cycles adds the weights of a closure that is linked twice, and evaluates it once.
         """
-        scaled = self.scale_shader(half, shader)
-        return self.add_shaders(scaled, scaled)
+        return self.scale_shader(half, self.add_shaders(shader, shader))
 
     def where_native(self, operand):
         """A number in a Blender whose Metallic BSDF has a thin film of its own; 0 in others, whoever wrote the file.

@@ -28,7 +28,9 @@ def list_command(options):
     if options.what == "finishes":
         from ..finishes import all_finishes
         found = all_finishes()
-        return _json([vars(finish) for finish in found]) if options.json else shown.finishes(found)
+        if options.json:
+            return _json([{**vars(finish), "controls": dict(finish.controls)} for finish in found])
+        return shown.finishes(found)
     if options.what == "illuminants":
         from ..spectra import illuminants
         titles = {name: illuminants.title(name) for name in illuminants.names()}

@@ -89,9 +89,9 @@ def test_a_stray_file_is_refused_by_name(source, tmp_path):
 
 def test_leftovers_of_work_are_left_out(source, tmp_path):
     for name in ("tests/unit/test_x.py", "docs/models.md", ".venv/bin/python", "out/copper.png", "dist/old.zip",
-                 "addon/__pycache__/api.cpython-311.pyc", "addon/spectra/.cache"):
+                 "addon/__pycache__/api.cpython-311.pyc", "addon/spectra/.cache", "facet_film_verification.html"):
         (source / name).parent.mkdir(parents=True, exist_ok=True)
         (source / name).write_text("x")
     before = set(names_in(build(tmp_path / "dist", source)))
-    left_out = ("tests", "docs", ".venv", "out", "dist")
+    left_out = ("tests", "docs", ".venv", "out", "dist", "facet_film_verification")
     assert not [name for name in before if name.startswith(left_out) or "cache" in name]

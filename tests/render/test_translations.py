@@ -25,7 +25,7 @@ ROOM = ADDON / "blender"
 MARKED = {"iface_", "rpt_", "tip_", "n_"}
 ENGLISH_ONLY = {"shell/commands.py", "models/cook_torrance/parameters.py", "models/layered_rgb/parameters.py",
                 "spectra/dispersion.py",
-                "spectra/readers/reading.py", "spectra/readers/text.py", "export/materialx.py",
+                "spectra/readers/reading.py", "spectra/readers/text.py", "export/as_materialx.py",
                 "verify/devices.py", "verify/running.py"}
 """Where errors are of scripts, of the shell, or of the lines of a file that someone imports: those stay English."""
 NOT_SHOWN = {

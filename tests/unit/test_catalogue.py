@@ -26,12 +26,13 @@ def test_entries_say_what_the_presets_say():
 
 
 def test_lists_read_no_preset():
-    """Nor what makes one; a preset that is asked for by its name reads its own model's alone."""
+    """Nor what makes one; a preset that is asked for by its name reads its own model's file, and makes itself alone."""
     code = ("import sys; from addon.catalogue import entries, search\n"
             "assert entries.in_category('metal') and search.search('gold') and search.search('main/Au/Babar')\n"
             "assert 'addon.catalogue.presets' not in sys.modules\n"
             "from addon.catalogue import presets\n"
-            "presets.find('nacre'); assert presets.of_model.cache_info().currsize == 1")
+            "presets.find('nacre')\n"
+            "assert presets._records.cache_info().currsize == presets._preset.cache_info().currsize == 1")
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True)
 
 

@@ -132,5 +132,7 @@ def test_a_finish_goes_on_what_is_baked(capsys):
     assert ["finish", "satin"] in [line.split() for line in capsys.readouterr().out.splitlines()]
     assert main(["bake", "copper", "--finish", "bruhsed"]) == 2
     assert "did you mean 'brushed'" in capsys.readouterr().err
+    assert main(["list", "finishes", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)[0]["name"] == "polished"
     assert main(["list", "finishes"]) == 0
     assert "hammered" in capsys.readouterr().out

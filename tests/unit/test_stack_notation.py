@@ -6,7 +6,8 @@ from hypothesis import strategies as st
 
 from addon.bake.film_names import DATASETS, constant_index
 from addon.bake.film_stack import MOST_FILMS
-from addon.bake.stack_notation import is_stack, parse, written
+from addon.bake.stack_notation import parse, written
+from addon.catalogue.resolving import is_stack
 from addon.errors import FacetFilmError
 from addon.spectra import optical_constants
 from addon.spectra.optical_constants import load

@@ -11,7 +11,7 @@ from ...nodes import newcomers
 from .. import compat
 from .fingerprints import ID_KEY, fingerprint, fingerprint_0_1_0
 from .locked import is_editable
-from .parts import drop_unused_parts, mark_parts, merge_parts
+from .parts import as_marked, drop_unused_parts, mark_parts, merge_parts
 from .pictures import image_in, image_of, key_of, put_image
 
 __all__ = ["EEVEE_OUTPUT", "LIBRARY", "all_groups", "build_group", "edited", "forget", "group_id", "group_of",
@@ -91,7 +91,9 @@ def node_group(identifier, image=None, whole=None, known=None):
 
 def _brought(model, group, image):
     """A group that the file has none of, from the library or built."""
+    before = set(bpy.data.node_groups)
     tree = _from_library(group) or build_group(group.identifier)
+    merge_parts(as_marked(set(bpy.data.node_groups) - before))
     if FINGERPRINT_KEY not in tree:
         if group.osl:
             _show_without_osl(tree, node_group(_without_osl(model, group), image))

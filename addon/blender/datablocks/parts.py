@@ -6,7 +6,7 @@ from .fingerprints import PART_KEY, fingerprint, fingerprint_of_part
 from .locked import is_editable
 from .pictures import SHOWS, image_in, key_of, note_pictures
 
-__all__ = ["drop_unused_parts", "mark_parts", "merge_parts"]
+__all__ = ["as_marked", "drop_unused_parts", "mark_parts", "merge_parts"]
 
 
 def mark_parts(trees):
@@ -17,8 +17,15 @@ def mark_parts(trees):
         tree[PART_KEY] = fingerprint(tree)
 
 
-def merge_parts():
+def as_marked(trees):
+    """{name: fingerprint} of the parts among trees that nobody can have edited yet."""
+    return {tree.name: tree[PART_KEY] for tree in trees if PART_KEY in tree}
+
+
+def merge_parts(known=None):
     """Make one of equal parts in the file: what comes in brings its own. One that someone edited stays by itself.
+
+    known  {name: fingerprint} of parts that are as they were marked
 
     Those that show images are equal where these are the same.
     """
@@ -26,7 +33,7 @@ def merge_parts():
     for tree in _parts():
         shown = key_of(image_in(tree)) if SHOWS in tree else ""
         found.setdefault((tree[PART_KEY], shown), []).append(tree)
-    needless, known = [], {}
+    needless, known = [], {} if known is None else dict(known)
     for (key, _), trees in found.items():
         same = [tree for tree in trees if fingerprint_of_part(tree, known) == key] if len(trees) > 1 else []
         for tree in same[1:]:

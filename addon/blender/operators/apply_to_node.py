@@ -6,6 +6,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from .. import compat, datablocks
 from ..settings import Viewing, preset_property, viewing_of
+from .targets import Reasoned
 
 __all__ = ["CLASSES", "takes_presets", "write_preset"]
 
@@ -45,7 +46,7 @@ def write_preset(node, preset, viewing, owner=None):
         materials.write_node(node.id_data, node, kept_finish(materials.record_of_node(node), record))
 
 
-class FACET_FILM_OT_apply_to_node(Viewing, bpy.types.Operator):
+class FACET_FILM_OT_apply_to_node(Reasoned, Viewing, bpy.types.Operator):
     """Bake a preset into the selected group node; what is plugged into it stays"""
 
     bl_idname = "facet_film.apply_to_node"
@@ -54,16 +55,13 @@ class FACET_FILM_OT_apply_to_node(Viewing, bpy.types.Operator):
 
     preset: preset_property()
 
-    @classmethod
-    def poll(cls, context):
+    @staticmethod
+    def why_not(context):
         """Needs a node of ours in a tree of this file."""
         node = getattr(context, "active_node", None)
-        reason = "" if takes_presets(node) else rpt_("Select a group node of Facet & Film first")
-        if not reason:
-            reason = datablocks.locked.why_locked(context.space_data.id) or datablocks.locked.why_locked(node.id_data)
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
+        if not takes_presets(node):
+            return rpt_("Select a group node of Facet & Film first")
+        return datablocks.locked.why_locked(context.space_data.id) or datablocks.locked.why_locked(node.id_data)
 
     def execute(self, context):
         """Bake and write the sockets, or change the ramp."""

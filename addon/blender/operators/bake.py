@@ -6,7 +6,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from .. import datablocks
 from ..settings import Viewing, preset_property, realisation_property, viewing_of
-from .targets import OnObjects, active_material, put, put_said, said_of
+from .targets import OnObjects, Reasoned, active_material, put, put_said, said_of
 
 __all__ = ["CLASSES"]
 
@@ -35,23 +35,20 @@ class FACET_FILM_OT_bake_preset(OnObjects, Viewing, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class FACET_FILM_OT_rebake(Viewing, bpy.types.Operator):
+class FACET_FILM_OT_rebake(Reasoned, Viewing, bpy.types.Operator):
     """Bake this material's measurement again in the light and working space chosen here; what else you set stays"""
 
     bl_idname = "facet_film.rebake"
     bl_label = "Re-bake"
     bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
+    @staticmethod
+    def why_not(context):
         """Needs a material of this file with a measurement."""
         material = active_material(context)
-        reason = datablocks.locked.why_locked(material) if material else ""
         if material is None or not datablocks.materials.is_measured(material):
-            reason = rpt_("Bake a measured material first: there is nothing to bake again")
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
+            return rpt_("Bake a measured material first: there is nothing to bake again")
+        return datablocks.locked.why_locked(material)
 
     def execute(self, context):
         """Bake, write, say what came out."""

@@ -8,7 +8,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from ...errors import FacetFilmError
 from .. import datablocks
-from .targets import active_material, put_in, slot_for_faces, to_faces
+from .targets import Reasoned, active_material, put_in, slot_for_faces, to_faces
 
 __all__ = ["AIR", "CLASSES", "is_clear", "shown_outside"]
 
@@ -41,7 +41,7 @@ def _outsides(_self, context):
     return _items
 
 
-class FACET_FILM_OT_touch(bpy.types.Operator):
+class FACET_FILM_OT_touch(Reasoned, bpy.types.Operator):
     """Say what this face of a clear body is against: air, or another clear material, as water in a glass is. In Edit \
 Mode the selected faces get a material of their own"""
 
@@ -51,13 +51,10 @@ Mode the selected faces get a material of their own"""
 
     outside: bpy.props.EnumProperty(name="Against", items=_outsides, description="What is on the face's other side")
 
-    @classmethod
-    def poll(cls, context):
+    @staticmethod
+    def why_not(context):
         """Needs a clear material of ours in a slot of an object of this file."""
-        reason = _why_not_touch(context)
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
+        return _why_not_touch(context)
 
     def execute(self, context):
         """Write it into the material, or into a new one where others use it too or faces are meant."""
@@ -101,7 +98,7 @@ def _why_not_touch(context):
     return why_locked(material) or why_locked(target) or why_locked(target.data)
 
 
-class FACET_FILM_OT_common_face(bpy.types.Operator):
+class FACET_FILM_OT_common_face(Reasoned, bpy.types.Operator):
     """Make one face of two clear bodies that touch, as water does in a glass. Select the glass, then the water: the \
 faces of the water on the glass get their material, and the glass's below them go"""
 
@@ -109,13 +106,10 @@ faces of the water on the glass get their material, and the glass's below them g
     bl_label = "Common Face of Two Bodies"
     bl_options = {"REGISTER", "UNDO"}
 
-    @classmethod
-    def poll(cls, context):
+    @staticmethod
+    def why_not(context):
         """Needs two mesh objects of this file, each with a clear material."""
-        reason = _why_not_common(context)
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
+        return _why_not_common(context)
 
     def execute(self, context):
         """Find the faces, give them their material, and take away those that they cover."""

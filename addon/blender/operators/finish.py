@@ -7,7 +7,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from .. import datablocks
 from ..settings import FINISH_ITEMS, OWN_FINISH, finish_property
-from .targets import active_material
+from .targets import Reasoned, active_material
 
 __all__ = ["CLASSES", "shown_finish", "why_not"]
 
@@ -19,7 +19,7 @@ def shown_finish(material):
     return iface_(next(title for item, title, _ in FINISH_ITEMS if item == name))
 
 
-class FACET_FILM_OT_apply_finish(bpy.types.Operator):
+class FACET_FILM_OT_apply_finish(Reasoned, bpy.types.Operator):
     """Give this material another finish; what it is made of stays"""
 
     bl_idname = "facet_film.apply_finish"
@@ -28,13 +28,10 @@ class FACET_FILM_OT_apply_finish(bpy.types.Operator):
 
     finish: finish_property()
 
-    @classmethod
-    def poll(cls, context):
+    @staticmethod
+    def why_not(context):
         """Needs a material of ours in this file, whose model has a roughness."""
-        reason = why_not(active_material(context))
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
+        return why_not(active_material(context))
 
     def execute(self, context):
         """Put it on, and say so."""

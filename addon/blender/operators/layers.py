@@ -8,7 +8,7 @@ from bpy.app.translations import pgettext_rpt as rpt_
 from ...errors import FacetFilmError
 from .. import compat, datablocks
 from ..layers import say_layers
-from .targets import active_material, said_of
+from .targets import Reasoned, active_material, said_of
 
 __all__ = ["CLASSES"]
 
@@ -18,7 +18,7 @@ CHANGES = (("ADD", "Add", "Add a layer below the chosen one"), ("REMOVE", "Remov
 PLACES = (("FILM", "Layer", "The chosen layer"), ("BELOW", "Substrate", "What is below all layers"))
 
 
-class FACET_FILM_OT_bake_layers(bpy.types.Operator):
+class FACET_FILM_OT_bake_layers(Reasoned, bpy.types.Operator):
     """Bake these layers into the material: its roughness, its textures and what else you set stay"""
 
     bl_idname = "facet_film.bake_layers"
@@ -28,17 +28,14 @@ class FACET_FILM_OT_bake_layers(bpy.types.Operator):
     text: bpy.props.StringProperty(
         name="Layers in Words", description="Layers from the outside in, such as 'SiO2 0-1000 nm / Si'")
 
-    @classmethod
-    def poll(cls, context):
+    @staticmethod
+    def why_not(context):
         """Needs a material of this file that is made of layers."""
         material = active_material(context)
         model = datablocks.materials.model_of(material)
-        reason = datablocks.locked.why_locked(material) if material else ""
         if model is None or not model.made_of:
-            reason = rpt_("Choose a material that is made of layers first, such as anodised titanium")
-        if reason:
-            cls.poll_message_set(reason)
-        return not reason
+            return rpt_("Choose a material that is made of layers first, such as anodised titanium")
+        return datablocks.locked.why_locked(material)
 
     def execute(self, context):
         """Bake, with progress at the mouse where it takes long, and write."""

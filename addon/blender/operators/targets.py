@@ -8,8 +8,8 @@ from bpy.app.translations import pgettext_rpt as rpt_
 
 from .. import datablocks
 
-__all__ = ["OnObjects", "Put", "TO", "active_material", "put", "put_in", "put_said", "said_of", "slot_for_faces",
-           "to_faces", "why_not", "why_not_on"]
+__all__ = ["OnObjects", "Put", "Reasoned", "TO", "active_material", "put", "put_in", "put_said", "said_of",
+           "slot_for_faces", "to_faces", "why_not", "why_not_on"]
 
 SLOT, NEW_SLOT, ALL_SLOTS, IN_PLACE = "SLOT", "NEW_SLOT", "ALL_SLOTS", "IN_PLACE"
 TO = (
@@ -30,16 +30,25 @@ class Put:
         self.material, self.objects, self.left_out = material, objects, left_out
 
 
-class OnObjects:
-    """For operators that put a material on objects."""
+class Reasoned:
+    """For operators that say why they cannot run: `why_not(context)` is that, or an empty text."""
 
     @classmethod
     def poll(cls, context):
-        """Needs an object of this file that takes materials."""
-        reason = why_not(context)
+        """Whether it can run, else with the reason."""
+        reason = cls.why_not(context)
         if reason:
             cls.poll_message_set(reason)
         return not reason
+
+
+class OnObjects(Reasoned):
+    """For operators that put a material on objects: they need an object of this file that takes materials."""
+
+    @staticmethod
+    def why_not(context):
+        """That of the objects that are meant."""
+        return why_not(context)
 
 
 def active_material(context):

@@ -28,6 +28,8 @@ def load():
     from ... import api  # noqa: F401  (and what the operator takes of its own, when it comes to that)
     from ...models.making import made
     from ...nodes import osl_compiler  # noqa: F401
+    from .. import missing  # noqa: F401
     from ..datablocks import materials, untouched  # noqa: F401
     from ..datablocks.groups import read_ahead
+    from . import picker  # noqa: F401
     read_ahead(made(preset="copper").group)

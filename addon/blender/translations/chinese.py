@@ -587,8 +587,8 @@ TEXTS = {
         "向外",
     "Parallel streaks, and highlights drawn out across them":
         "平行纹路，高光横向拉长",
-    "Parallel streaks, for Roughness, Normal and Tangent":
-        "平行纹路，用于粗糙度、法线和切线",
+    "Parallel streaks, for Roughness, Normal, Tangent and Diffuse Color":
+        "平行纹路，用于粗糙度、法线、切线和漫射颜色",
     "Parameters":
         "参数",
     "Paste Measurement":
@@ -767,8 +767,8 @@ TEXTS = {
         "已停止：未进行拟合",
     "Streaks in circles, as from a lathe or on the foot of a pan":
         "环形纹路，如车床加工或锅底",
-    "Streaks in circles, for Roughness, Normal and Tangent":
-        "环形纹路，用于粗糙度、法线和切线",
+    "Streaks in circles, for Roughness, Normal, Tangent and Diffuse Color":
+        "环形纹路，用于粗糙度、法线、切线和漫射颜色",
     "Substrate":
         "基底",
     "Substrate From a File...":

@@ -599,8 +599,8 @@ TEXTS = {
         "Nach außen",
     "Parallel streaks, and highlights drawn out across them":
         "Parallele Striche, und Glanzlichter quer zu ihnen gezogen",
-    "Parallel streaks, for Roughness, Normal and Tangent":
-        "Parallele Striche, für Rauheit, Normale und Tangente",
+    "Parallel streaks, for Roughness, Normal, Tangent and Diffuse Color":
+        "Parallele Striche, für Rauheit, Normale, Tangente und diffuse Farbe",
     "Parameters":
         "Parameter",
     "Paste Measurement":
@@ -780,8 +780,8 @@ TEXTS = {
         "Abgebrochen: Es wurde nichts angepasst",
     "Streaks in circles, as from a lathe or on the foot of a pan":
         "Striche in Kreisen, wie von der Drehbank oder auf einem Topfboden",
-    "Streaks in circles, for Roughness, Normal and Tangent":
-        "Striche in Kreisen, für Rauheit, Normale und Tangente",
+    "Streaks in circles, for Roughness, Normal, Tangent and Diffuse Color":
+        "Striche in Kreisen, für Rauheit, Normale, Tangente und diffuse Farbe",
     "Substrate":
         "Träger",
     "Substrate From a File...":

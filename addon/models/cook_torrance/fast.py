@@ -73,7 +73,7 @@ def _slope(builder, m, half_specular, w, gaussian, published, gaussian_c, seen, 
     anisotropy = surface["Anisotropy"]
     roughness, weight, leaning = v_cavity_lobe(seen.sine, m * seen.stretch, sqrt(m), seen.free)
     surface = {**surface, "Anisotropy": anisotropy + leaning}
-    share = (half_specular * w) * weight
+    share = (half_specular * w) * weight  # outside of the lobe, so that a slope without weight folds away
     share_gaussian = share * gaussian_share(m, gaussian, published, gaussian_c, anisotropy)
     lobes = [(share * (1.0 - gaussian), roughness)]
     lobes += [(share_gaussian * share_of_three, widening * roughness) for share_of_three, widening in gaussian_lobes(m)]

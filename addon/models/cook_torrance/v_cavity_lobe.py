@@ -22,6 +22,7 @@ from ...operands import (
     part,
     rotate,
     sqrt,
+    vector,
     where,
     widen,
     x_of,
@@ -37,19 +38,21 @@ ROUGHEST_FITTED = 0.65
 
 SMALLEST_SINE = 1e-4
 
+HEIGHT2 = 2.5
+"""Times 1 − sine it is about the square of V's height above the horizon; of this the fewest powers are needed."""
+
 OF_NOTHING = (1.0, 1.0, 0.0)
 """Roughness, weight and anisotropy of a lobe that is left as it is."""
 
 CHANGES = (
-    ((0.1421, 0.0256, 0.0), (-0.5789, 0.088, 0.0), (-0.0254, -1.5541, 0.465)),
-    ((-0.926, 0.259, 0.0), (6.4518, -0.8856, 0.0), (-5.3599, 6.3854, -0.465)),
-    ((-1.6418, 2.76, 0.0), (-2.2971, -7.0633, 0.0), (6.5308, -2.0595, 0.0)),
-    ((1.1834, -2.2211, 0.0), (-6.2481, 5.9279, 0.0), (0.0065, -1.4932, 0.0)),
-    ((2.0976, 0.0, 0.0), (1.359, 0.0, 0.0), (-0.678, 0.0, 0.0)),
+    ((0.1225, -0.0112, 0.0048), (-0.3206, 0.4558, 0.0673), (-0.8444, -2.5164, 0.5186)),
+    ((-1.2619, 0.171, -0.5801), (8.1648, -0.6153, -0.0355), (-3.1696, 8.9401, -0.3075)),
+    ((-1.7711, 3.9865, 6.9277), (-9.8887, -12.552, -17.2193), (6.3641, -1.1282, 13.1955)),
+    ((3.7681, -3.4592, -7.316), (0.7906, 11.3703, 20.2949), (-1.9636, -4.5626, -16.0594)),
 )
 """What each power of q adds to them: a, b and c of m² (a + b m + c m²)."""
 
-LEANING = (0.0, 0.0, 0.348)
+LEANING = (0.0, 0.0, 0.3718)
 """What the third power of q adds whatever the slope."""
 
 
@@ -91,19 +94,22 @@ def v_cavity_lobe(sine, m, roughness=1.0, free=None):
     roughness  √m; of 1, what it is multiplied by
     free       the sine where the lobe may have an anisotropy; by default everywhere
 
-    All are polynomials in q = m²/(m² + t), t = (2 tan(h/2))² = 8/(1 + sine) − 4 with V's height h above the horizon:
-    q runs from m²/4 or so, where V is straight above, to 1 at the horizon, and is ½ where facets of about the slope m
-    mirror V into it.  Straight above there is no anisotropy, as there is no plane.
+    All are polynomials in q = m²/(m² + 2.5 (1 − sine)), where 2.5 (1 − sine) is about the square of V's height h above
+    the horizon: q runs from 0.4 m² or so, where V is straight above, to 1 at the horizon, and is about ½ where facets
+    of the slope m mirror V into it.  Straight above there is no anisotropy, as there is no plane.
 
     >>> [round(float(x), 4) for x in v_cavity_lobe(0.0, 0.1)], [round(float(x), 4) for x in v_cavity_lobe(0.94, 0.5)]
-    ([1.0008, 1.0002, 0.0], [0.978, 1.0402, 0.107])
+    ([1.0008, 1.0001, 0.0], [0.9784, 1.0399, 0.1063])
     """
     held, m2 = widen(minimum(m, ROUGHEST_FITTED)), m * m
-    q = widen(m2 / ((8.0 / (1.0 + sine) - 4.0) + m2))
-    constant, first, second, third, total = (of_slope(held, *factors) for factors in CHANGES)
-    for factor in (third + LEANING, second, first, constant + OF_NOTHING):
+    # What a material keeps constant stands together, √m multiplied into it: there it costs the renderer nothing.
+    q = widen(m2 / ((HEIGHT2 + m2) - HEIGHT2 * sine))
+    own = vector(roughness, 1.0, 1.0)
+    constant, first, second, third = (own * of_slope(held, *factors) for factors in CHANGES)
+    total = third + LEANING
+    for factor in (second, first, constant + own * OF_NOTHING):
         total = multiply_add(q, total, factor)
-    return roughness * x_of(total), y_of(total), (sine if free is None else free) * z_of(total)
+    return x_of(total), y_of(total), (sine if free is None else free) * z_of(total)
 
 
 @part("m² (a + b m + c m²)")

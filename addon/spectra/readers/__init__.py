@@ -15,7 +15,20 @@ A new word, unit, mark or separator is one more entry in a table; a new format o
 function from a Text to OpticalConstants, and a line in reading.py's list.
 """
 
-from .reading import FORMATS, SUFFIXES, format_of, read, read_file, read_text
-from .text import Ambiguous
+from importlib import import_module
 
 __all__ = ["FORMATS", "SUFFIXES", "Ambiguous", "format_of", "read", "read_file", "read_text"]
+
+SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".nk", ".yml", ".yaml", ".mat", ".agf", ".spd", ".sp", ".json", ".html",
+            ".htm", ".asc", ".ti3", ".cgats", ".lnk", ".ri", ".gmat", ".pbrt", ".xml", ".prn", ".dpt", ".xy",
+            ".coating")
+"""What files of measurements are usually called."""
+
+PLACES = {"Ambiguous": "text", **dict.fromkeys(("FORMATS", "format_of", "read", "read_file", "read_text"), "reading")}
+"""Name -> module, loaded with its first use: a word that is no file waits for none of the formats."""
+
+
+def __getattr__(name):
+    if name not in PLACES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f".{PLACES[name]}", __name__), name)

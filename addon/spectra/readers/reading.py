@@ -11,37 +11,7 @@ from .sopra import is_sopra, is_sopra_mat, read_sopra, read_sopra_mat
 from .structured import is_cgats, is_html, is_json, is_scene, read_cgats, read_html, read_json, read_scene
 from .text import Text, text_of_file
 
-__all__ = ["SUFFIXES", "FORMATS", "read", "read_file", "read_text", "format_of"]
-
-SUFFIXES = (
-    ".csv",
-    ".tsv",
-    ".txt",
-    ".dat",
-    ".nk",
-    ".yml",
-    ".yaml",
-    ".mat",
-    ".agf",
-    ".spd",
-    ".sp",
-    ".json",
-    ".html",
-    ".htm",
-    ".asc",
-    ".ti3",
-    ".cgats",
-    ".lnk",
-    ".ri",
-    ".gmat",
-    ".pbrt",
-    ".xml",
-    ".prn",
-    ".dpt",
-    ".xy",
-    ".coating",
-)
-"""What files of measurements are usually called."""
+__all__ = ["FORMATS", "read", "read_file", "read_text", "format_of"]
 
 FORMATS = (
     (
