@@ -107,6 +107,7 @@ release: package site
 assets:
 	$(MAKE) setup BPY=4.5 VENV=$(OLDEST)
 	$(OLDEST)/bin/python tools/build_search.py
+	$(OLDEST)/bin/python tools/build_clear_facts.py
 	$(OLDEST)/bin/python tools/build_film_facts.py
 	$(OLDEST)/bin/python tools/build_groups.py --again --record
 	$(OLDEST)/bin/python tools/render_previews.py

@@ -9,12 +9,15 @@ from addon.bake.clear_index import index_of
 from addon.bake.colour import delta_e_2000
 from addon.bake.reflected import Viewing
 from addon.catalogue import presets
+from addon.catalogue.resolving import resolve
 from addon.export import gltf, openpbr, principled
-from addon.models.clear import bands, handed_on
+from addon.models.clear import bands, handed_on, known
+from addon.models.clear.baking import found_in
 from addon.models.making import made, rebaked
 from addon.models.standins import standin_of
 from addon.reflectance.fresnel import dielectric
 from addon.spectra.optical_constants import load
+from tools import build_clear_facts
 
 CLEAR = [preset for preset in presets.all_presets().values() if preset.model == "clear"]
 MAKERS = {  # n_d and V_d as the data sheets print them
@@ -60,6 +63,24 @@ def test_absorption_is_that_of_water_as_others_measured_it():
     assert np.allclose(alpha, (0.0092, 0.0565, 0.340), rtol=0.06, atol=0.014)
     found = attenuation_of(alpha_of(load("main/H2O/Segelstein")), Viewing())
     assert found.distance == pytest.approx(9.5, rel=0.1) and found.delta_e < 2.5
+
+
+def test_what_is_known_of_the_presets_is_what_is_found():
+    """clear.table is of the presets and the fit of today: run tools/build_clear_facts.py."""
+    found = build_clear_facts.found()
+    assert list(known.attenuations()) == [row[0] for row in found]
+    for dataset, total, sigma, _colour, distance, delta_e in found:
+        before, attenuation = known.attenuations()[dataset]
+        assert before == pytest.approx(total, rel=known.SAME)
+        assert attenuation.sigma == pytest.approx(sigma, rel=1e-3, abs=1e-6), dataset
+        assert attenuation.delta_e == pytest.approx(delta_e, abs=1e-3), dataset
+        assert (attenuation.distance is None) == (distance is None)
+
+
+def test_another_light_and_a_file_of_ones_own_are_fitted():
+    glass = resolve("window_glass")
+    usual, other = (found_in(glass, viewing)[1] for viewing in ({}, {"illuminant": "A"}))
+    assert usual.sigma == known.attenuations()["glass/soda-lime/Rubin-clear"][1].sigma != other.sigma
 
 
 def test_an_exponential_is_fitted_exactly_and_nothing_is_clear():

@@ -9,9 +9,10 @@ from ...reflectance.fresnel import dielectric
 from ...reflectance.transmission import LAMBDA_D
 from ...spectra import observers, optical_constants
 from ..model import Baked, Look
+from . import known
 from .parameters import Clear
 
-__all__ = ["bake_for", "facts_of", "look"]
+__all__ = ["absorbing", "bake_for", "facts_of", "look"]
 
 K_FROM, ABBE = "k_from", "abbe"
 """Of a preset's parameters what the bake reads: the dataset whose k it is, or "none"; V_d where a maker states it."""
@@ -40,24 +41,29 @@ def _n_d(n):
 
 def found_in(resolved, viewing):
     """(Index, Attenuation) of a measured material."""
-    stated = resolved.preset.parameters
-    index = index_of(resolved.constants, stated.get(ABBE))
-    k = _absorbing(resolved.constants, stated.get(K_FROM))
-    return index, CLEAR if k is None else attenuation_of(alpha_of(k), Viewing(**viewing))
+    index = index_of(resolved.constants, resolved.preset.parameters.get(ABBE))
+    k = absorbing(resolved)
+    return index, CLEAR if k is None else _attenuation(k, Viewing(**viewing))
 
 
-def _absorbing(constants, k_from):
+def _attenuation(k, viewing):
+    alpha = alpha_of(k)
+    of_a_preset = known.attenuation(k.dataset, alpha) if viewing == Viewing() else None
+    return of_a_preset or attenuation_of(alpha, viewing)
+
+
+def absorbing(resolved):
     """The OpticalConstants whose k is the body's, or None where none was measured or what was is no absorption."""
+    k_from = resolved.preset.parameters.get(K_FROM)
     if k_from == "none":
         return None
-    found = optical_constants.load(k_from) if k_from else constants
+    found = optical_constants.load(k_from) if k_from else resolved.constants
     return found if found.has_k else None
 
 
 def facts_of(resolved, viewing, index, attenuation):
     """All that was baked, ready for JSON."""
-    preset, constants = resolved.preset, resolved.constants
-    k = _absorbing(constants, preset.parameters.get(K_FROM))
+    preset, constants, k = resolved.preset, resolved.constants, absorbing(resolved)
     return {
         "name": preset.name, "title": preset.title, "kind": preset.kind,
         "note": " ".join(filter(None, (preset.note, preset.estimated, _in_words(index, attenuation, k)))),
