@@ -84,7 +84,8 @@ def test_tables_are_the_same_bytes_when_rebuilt(tmp_path):
     tool = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(tool)
     tool.main(tmp_path)
-    built = [path for path in tables.DIRECTORY.glob("*.table") if path.stem != "films"]  # see test_film_model.py
+    found = {"clear", "films"}  # by fits: see test_clear.py and test_film_model.py
+    built = [path for path in tables.DIRECTORY.glob("*.table") if path.stem not in found]
     for path in built:
         assert (tmp_path / path.name).read_bytes() == path.read_bytes(), path.name
         about, _, _ = tables.read(path.stem)
