@@ -2,6 +2,8 @@
 scene.
 """
 
+import re
+
 import bpy
 import pytest
 
@@ -166,7 +168,7 @@ def test_every_group_of_the_add_menu_is_there_and_is_reused(objects):
             assert api.create_fresnel_ramp("gold") == api.create_fresnel_ramp("gold")
         else:
             assert node_group(identifier) == node_group(identifier)
-    assert not [tree.name for tree in bpy.data.node_groups if tree.name[-4:-3] == "."]
+    assert not [tree.name for tree in bpy.data.node_groups if re.search(r"\.\d{3}$", tree.name)]
 
 
 def test_a_preset_goes_into_a_single_node(objects):
