@@ -85,7 +85,7 @@ def seen(material):
     for found in [found for found in bpy.data.objects if found.type == "MESH"]:
         bpy.data.objects.remove(found)
     probes.add_sphere(material, segments=64)
-    # With several threads Cycles of Blender 5.2 crashed twice in some eighty runs of these on a busy machine.
+    # With several threads Cycles of Blender 5.2 crashed twice in some seventy runs of these on a busy machine.
     bpy.context.scene.render.threads_mode, bpy.context.scene.render.threads = "FIXED", 1
     return lab(probes.render(bpy.context.scene)[2:10, 2:10])
 
