@@ -50,17 +50,14 @@ from ...operands import (
     sqrt,
     where,
     widen,
-    x_of,
-    y_of,
-    z_of,
 )
 from ...reflectance.directions import PI
 from .formulas import f_eq8, fifth_power, squared
+from .lobes import CHANNELS
 
 __all__ = ["exits_of", "within_the_layer", "outside", "interference", "dealt_out", "moments", "pair", "reflected",
            "light_of_the_layer", "native_lobes", "mirrored_lobe", "aim", "transmitted_lobes"]
 
-CHANNELS = ((x_of, (1.0, 0.0, 0.0)), (y_of, (0.0, 1.0, 0.0)), (z_of, (0.0, 0.0, 1.0)))
 MEAN = (1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0)
 
 SMALLEST = 1e-9
