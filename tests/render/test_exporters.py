@@ -85,8 +85,9 @@ def seen(material):
     for found in [found for found in bpy.data.objects if found.type == "MESH"]:
         bpy.data.objects.remove(found)
     probes.add_sphere(material, segments=64)
-    # With several threads Cycles of Blender 5.2 crashed twice in some seventy runs of these on a busy machine.
-    bpy.context.scene.render.threads_mode, bpy.context.scene.render.threads = "FIXED", 1
+    # Kept from render to render, Cycles of Blender 5.2 now and then writes to the octree of a glass that is gone
+    # (VolumeManager::update_root_indices), and ends.
+    bpy.context.scene.render.use_persistent_data = False
     return lab(probes.render(bpy.context.scene)[2:10, 2:10])
 
 
