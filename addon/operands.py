@@ -120,7 +120,7 @@ def maximum(x, *others):
 
 def clip(x, low, high):
     """x held to [low, high]."""
-    return minimum(maximum(x, low), high)
+    return _apply("clip", lambda a, b, c: np.minimum(np.maximum(a, b), c), x, low, high)
 
 
 def fraction(x):

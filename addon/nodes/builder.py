@@ -13,8 +13,9 @@ import numpy as np
 
 from ..models.osl import parameter_of
 from . import newcomers, parts
+from .facts import OF_A_PLACE, UNKNOWN, Facts, as_mix, of_number, result
 from .layout import arrange
-from .operand import NodeOperand
+from .operand import NodeOperand, is_vector
 from .osl_compiler import compile_script, text_of
 
 __all__ = ["GroupBuilder"]
@@ -58,7 +59,7 @@ class GroupBuilder:
         self.frame_of = {}         # node name -> frame label
         self._shared = {}          # expression -> operand
         self._products = {}        # Multiply node's name -> its two operands
-        self._lasting = set()      # keys of the operands, names of the nodes whose products no renderer folds away
+        self._facts = {}           # key of an operand, or name of its node -> addon.nodes.facts.Facts
         self._group_inputs = {}    # frame label -> Group Input node
         self._possible = {}        # name of a part's argument -> its kind
         self._there = set()        # names of those that have a socket
@@ -79,8 +80,7 @@ class GroupBuilder:
         if socket.default is not None:
             item.default_value = (*socket.default, 1.0) if socket.kind == "COLOR" else socket.default
         item.hide_value = socket.plugged
-        if socket.never_zero:
-            self._lasting.add(("input", socket.name))
+        self._facts["input", socket.name] = Facts(socket.never_zero or socket.plugged, socket.plugged)
         return NodeOperand(self, "VECTOR" if socket.kind == "COLOR" else socket.kind, socket.name)
 
     def output(self, name, operand, kind=None, description=""):
@@ -113,9 +113,8 @@ class GroupBuilder:
             node = self._shared[key] = self._new_node(bl_idname, properties, label)
             for identifier, operand in (inputs or {}).items():
                 self.connect(socket_of(node.inputs, identifier), operand)
-            operands = [o for o in (inputs or {}).values() if isinstance(o, NodeOperand)]
-            if bl_idname != "ShaderNodeGroup" and (any(map(self.lasts, operands)) or not operands):
-                self._lasting.add(node.name)
+            if bl_idname != "ShaderNodeGroup":
+                self._facts[node.name] = result(properties.get("operation", bl_idname), [*map(self.facts, (inputs or {}).values())])
         socket = socket_of(node.outputs, output) if output else node.outputs[0]
         return NodeOperand(self, kind_of(socket), socket)
 
@@ -125,10 +124,9 @@ class GroupBuilder:
         """What a formula gives of operands, its nodes in a group of their own: see :func:`addon.nodes.parts.call`."""
         return parts.call(self, name, formula, gives, operands, options)
 
-    def part_input(self, name, kind, lasts):
+    def part_input(self, name, kind, facts):
         """An input that a part gets once something in it needs it, as an operand."""
-        if lasts:
-            self._lasting.add(("input", name))
+        self._facts["input", name] = facts
         self._possible[name] = kind
         return NodeOperand(self, kind, name)
 
@@ -143,11 +141,10 @@ class GroupBuilder:
         """The identifier of a new output of a part, fed by the operand."""
         return self.output(name, operand)
 
-    def part_node(self, name, tree, inputs, output, lasts):
+    def part_node(self, name, tree, inputs, output, facts):
         """An output of the node of a part, as an operand; one node for equal inputs."""
         operand = self.node("ShaderNodeGroup", inputs, output, name, node_tree=tree)
-        if lasts:
-            self._lasting.add(operand.key())
+        self._facts[operand.key()] = facts
         return operand
 
     # --- nodes of some kinds ---
@@ -195,6 +192,7 @@ class GroupBuilder:
             node = self._new_node("ShaderNodeFloatCurve", {})
             set_knots(node.mapping, 0, knots, values)
             self.connect(socket_of(node.inputs, "Value"), x)
+            self._facts[node.name] = result(None, [self.facts(x)])
             self._shared[key] = NodeOperand(self, "FLOAT", node.outputs[0])
         return self._shared[key]
 
@@ -205,6 +203,7 @@ class GroupBuilder:
             for channel in range(3):
                 set_knots(node.mapping, channel, knots, values)
             self.connect(socket_of(node.inputs, "Color"), x)
+            self._facts[node.name] = result(None, [self.facts(x)])
             self._shared[key] = NodeOperand(self, "VECTOR", node.outputs[0])
         return self._shared[key]
 
@@ -215,6 +214,7 @@ class GroupBuilder:
             node = self._new_node("ShaderNodeValToRGB", {})
             set_stops(node.color_ramp, knots, values)
             self.connect(socket_of(node.inputs, "Fac"), x)
+            self._facts[node.name] = result(None, [self.facts(x)])
             self._shared[key] = NodeOperand(self, "VECTOR", node.outputs[0])
         return self._shared[key]
 
@@ -230,7 +230,7 @@ class GroupBuilder:
         node = self._new_node("ShaderNodeScript", {"mode": "INTERNAL"})
         node.script = text_of(file)
         compile_script(node)
-        self._lasting.add(node.name)
+        self._facts[node.name] = OF_A_PLACE
         parameters = {socket.identifier for socket in node.inputs}
         for item in self.tree.interface.items_tree:
             if item.item_type == "SOCKET" and item.in_out == "INPUT" and parameter_of(item.name) in parameters:
@@ -292,7 +292,7 @@ class GroupBuilder:
     def finish(self):
         """Lay the nodes out, less the products that went into sums, and return the tree."""
         for name in self._products:
-            if not self.tree.nodes[name].outputs[0].is_linked:
+            if not any(socket.is_linked for socket in self.tree.nodes[name].outputs):
                 self.tree.nodes.remove(self.tree.nodes[name])
                 self.frame_of.pop(name, None)
         arrange(self.tree, self.frame_of)
@@ -308,6 +308,8 @@ class GroupBuilder:
         simpler = simplified(name, operands)
         if simpler is not None:
             return simpler
+        if name == "clip":
+            return self._clip(*operands)
         if name in VECTOR_TO_FLOAT:
             return self._vector_math(VECTOR_TO_FLOAT[name], operands, "Value")
         if name in VECTOR_TO_VECTOR:
@@ -329,7 +331,7 @@ class GroupBuilder:
             operands = (*operands, math.e)
         identifiers = ("Value", "Value_001", "Value_002")
         result = self.node("ShaderNodeMath", dict(zip(identifiers, operands)), operation=MATH[name])
-        if name == "multiply" and all(isinstance(o, float) or self.lasts(o) for o in operands):
+        if name == "multiply" and all(self.facts(o).lasts for o in operands):
             self._products[result.source.node.name] = operands
         return result
 
@@ -358,13 +360,21 @@ class GroupBuilder:
         factors = self._products.get(operand.source.node.name)
         return factors and sorted(factors, key=lambda o: not isinstance(o, float))
 
-    def lasts(self, operand):
-        """Whether the operand comes from the place that is shaded, or from a socket that is never 0."""
+    def facts(self, operand):
+        """What is known of an operand or number, see :mod:`addon.nodes.facts`."""
+        if not isinstance(operand, NodeOperand):
+            return of_number(constant(operand))
         key = operand.key()
-        return key in self._lasting or key[0] in self._lasting
+        return self._facts.get(key) or self._facts.get(key[0]) or UNKNOWN
 
     def _on_vectors(self, name, operands):
         if name in VECTOR_MATH:
+            if name in ("add", "subtract"):
+                operands, name = self._with_colours_product(name, operands)
+            facts = [*map(self.facts, operands)]
+            blend = as_mix(name, operands, facts)
+            if blend is not None:
+                return self._mix_in_place_of(name, operands, facts, blend)
             if name == "multiply" and not all(is_vector(operand) for operand in operands):
                 direction, factor = sorted(operands, key=is_vector, reverse=True)
                 return self.node("ShaderNodeVectorMath", {"Vector": direction, "Scale": factor},
@@ -382,17 +392,44 @@ class GroupBuilder:
                     for i, c in enumerate(("x_of", "y_of", "z_of"))]
         return self.apply("vector", tuple(self.apply(name, tuple(channel)) for channel in channels))
 
+    def _with_colours_product(self, name, operands):
+        """As :meth:`_with_product`, where one node takes less time than the two Mix nodes that they are apart."""
+        merged, its_name = self._with_product(name, *operands)
+        if its_name == "multiply_add":
+            first, second, rest = [self.facts(operand).varies for operand in merged]
+            if rest or not (first and second):
+                return merged, its_name
+        return operands, name
+
+    def _mix_in_place_of(self, name, operands, facts, blend):
+        """The Mix of :func:`addon.nodes.facts.as_mix`, labelled as what it does."""
+        mixed = self._mix("VECTOR", "Vector", *blend, label=name.replace("_", " ").title())
+        self._facts[mixed.source.node.name] = result(VECTOR_MATH[name], facts)
+        if name == "multiply" and all(fact.lasts for fact in facts):
+            self._products[mixed.source.node.name] = operands
+        return mixed
+
+    def _clip(self, x, low, high):
+        """A Clamp node; of colours a Mix whose factor is held."""
+        if not is_vector(x):
+            return self.node("ShaderNodeClamp", {"Value": x, "Min": low, "Max": high})
+        if not (isinstance(low, float) and isinstance(high, float)):
+            return self.apply("minimum", (self.apply("maximum", (x, low)), high))
+        held = self._mix("VECTOR", "Vector", (x - low) * (1.0 / (high - low)), high, low, "Clamp", clamp_factor=True)
+        self._facts[held.source.node.name] = self.facts(x)
+        return held
+
     def _vector_math(self, operation, operands, output="Vector"):
         identifiers = ("Vector", "Vector_001", "Vector_002")
         return self.node("ShaderNodeVectorMath", dict(zip(identifiers, operands)), output, operation=operation)
 
-    def _mix(self, data_type, suffix, condition, if_true, if_false):
-        settings = {"data_type": data_type, "clamp_factor": False}
+    def _mix(self, data_type, suffix, condition, if_true, if_false, label="", clamp_factor=False):
+        settings = {"data_type": data_type, "clamp_factor": clamp_factor}
         factor = {"Factor_Float": condition}
         if is_vector(condition):  # each channel by its own; the other one is 1 in newer Blenders if nobody says
             settings["factor_mode"], factor = "NON_UNIFORM", {"Factor_Float": 0.5, "Factor_Vector": condition}
         inputs = {**factor, f"A_{suffix}": if_false, f"B_{suffix}": if_true}
-        return self.node("ShaderNodeMix", inputs, f"Result_{suffix}", **settings)
+        return self.node("ShaderNodeMix", inputs, f"Result_{suffix}", label, **settings)
 
     # --- plumbing ---
 
@@ -471,11 +508,6 @@ def constant(operand):
     if values.size == 3:
         return tuple(map(float, values))
     raise TypeError(f"A node takes one number or three, not {values.size}.")
-
-
-def is_vector(operand):
-    """Whether an operand or constant has three components."""
-    return isinstance(operand, tuple) or (isinstance(operand, NodeOperand) and operand.kind == "VECTOR")
 
 
 def simplified(name, operands):

@@ -1,6 +1,6 @@
 """A value inside a node tree, with the arithmetic that the formulas are written in."""
 
-__all__ = ["NodeOperand"]
+__all__ = ["NodeOperand", "is_vector"]
 
 
 class NodeOperand:
@@ -59,3 +59,8 @@ class NodeOperand:
 
     def __bool__(self):
         raise TypeError("A node has no value while the tree is built: use where(), less(), minimum().")
+
+
+def is_vector(operand):
+    """Whether an operand or constant has three components."""
+    return isinstance(operand, tuple) or (isinstance(operand, NodeOperand) and operand.kind == "VECTOR")

@@ -9,6 +9,7 @@ import inspect
 from types import SimpleNamespace
 from typing import NamedTuple
 
+from .facts import UNKNOWN, Facts, of_number
 from .operand import NodeOperand
 
 __all__ = ["call", "shown_name"]
@@ -41,7 +42,7 @@ class Inside:
 
     identifier: str = ""
     argument: tuple = ()
-    lasts: bool = False
+    facts: Facts = UNKNOWN
 
 
 def shown_name(name):
@@ -103,11 +104,11 @@ def _is_number(value):
 
 
 def _sort(builder, value):
-    """What of a leaf the part depends on: the kind of an operand or number and whether it may be 0, or the leaf."""
+    """What of a leaf the part depends on: the kind of an operand or number and what is known of it, or the leaf."""
     if isinstance(value, NodeOperand):
-        return value.kind, builder.lasts(value)
+        return value.kind, builder.facts(value)
     if _is_number(value):
-        return ("VECTOR", False) if isinstance(value, (list, tuple)) else ("FLOAT", value != 0.0)
+        return "VECTOR" if isinstance(value, (list, tuple)) else "FLOAT", of_number(value)
     return None if value is builder else value
 
 
@@ -135,7 +136,7 @@ def _built(builder, name, formula, gives, bound, leaves):
             return Inside(argument=paths[leaf.source])
         if leaf.key() not in outputs:
             label = "BSDF" if leaf.kind == "SHADER" else shown_name(label)
-            outputs[leaf.key()] = Inside(inside.part_output(label + number, leaf), lasts=inside.lasts(leaf))
+            outputs[leaf.key()] = Inside(inside.part_output(label + number, leaf), facts=inside.facts(leaf))
         return outputs[leaf.key()]
 
     result = _mapped(given, (), leave)
@@ -176,6 +177,6 @@ def _placed(builder, name, part, leaves):
             return leaf
         if leaf.argument:
             return leaves[leaf.argument]
-        return builder.part_node(name, part.tree, inputs, leaf.identifier, leaf.lasts)
+        return builder.part_node(name, part.tree, inputs, leaf.identifier, leaf.facts)
 
     return _mapped(part.result, (), outside)

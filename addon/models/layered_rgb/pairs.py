@@ -37,6 +37,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from ...operands import (
+    clip,
     cos,
     dot,
     exp,
@@ -44,6 +45,7 @@ from ...operands import (
     lookup,
     maximum,
     minimum,
+    mix,
     multiply_add,
     part,
     power,
@@ -215,18 +217,19 @@ def outside(exits, within, r1, e1):
 
     sine, cosine, tangent   of the mean's angle from n0
     r1_cosine_within        r1 times the cosine of the mean in the layer
-    steep                   the deviation in the layer over that outside
+    steep, flat             the deviation in the layer over that outside, and 1 over that
     variance                of what passes
     bent                    tangent times that: how fast refraction widens the lobe within its width
     """
-    sine = maximum(minimum(exits.sine - within.back * exits.r1_cos_w, HIGHEST_SINE), 0.0)
+    sine = clip(exits.sine - within.back * exits.r1_cos_w, 0.0, HIGHEST_SINE)
     sine2 = squared(sine)
-    cosine, r1_cosine_within = sqrt(1.0 - sine2), sqrt(squared(r1) - sine2)
-    steep = cosine / r1_cosine_within
-    variance = within.kept / squared(steep) * (squared(_deviation(e1)) * _wider(e1))
-    tangent = sine / cosine
+    cosine2, r1_cosine2 = 1.0 - sine2, squared(r1) - sine2
+    over_cosine, over_r1_cosine = power(cosine2, -0.5), power(r1_cosine2, -0.5)
+    cosine, r1_cosine_within = cosine2 * over_cosine, r1_cosine2 * over_r1_cosine
+    steep, tangent = cosine * over_r1_cosine, sine * over_cosine
+    variance = squared(r1_cosine_within * over_cosine) * (squared(_deviation(e1)) * _wider(e1)) * within.kept
     return SimpleNamespace(sine=sine, cosine=cosine, tangent=tangent, r1_cosine_within=r1_cosine_within, steep=steep,
-                           variance=variance, bent=tangent * variance)
+                           flat=r1_cosine_within * over_cosine, variance=variance, bent=tangent * variance)
 
 
 def _wider(e1):
@@ -282,7 +285,7 @@ def _r_over_t(outer, within, place, f):
 def _towards_r(outer, place, from_mirror):
     """The share of the interference's lobe that R gets, and the place of the rest, so that the mean stays."""
     reach = multiply_add(outer.variance, NEAR, squared(from_mirror))
-    towards_r = maximum(minimum(place * from_mirror / reach * -1.0, MOST_TO_R), 0.0)
+    towards_r = clip(place * from_mirror / reach * -1.0, 0.0, MOST_TO_R)
     return SimpleNamespace(towards_r=towards_r, place=(place + towards_r * from_mirror) / (1.0 - towards_r))
 
 
@@ -315,7 +318,7 @@ def moments(outer, within, between, share, e1):
     """
     narrower, mixed = outer.variance * between.ratio - outer.variance, share * (1.0 - share)
     apart, apart2 = between.place, squared(between.place)
-    variance = maximum(multiply_add(share, narrower, outer.variance) + mixed * apart2,
+    variance = maximum(mix(share, outer.variance * between.ratio, outer.variance) + mixed * apart2,
                        LEAST_VARIANCE * outer.variance)
     mean = multiply_add(share * MEAN_X, apart, within.bend * outer.bent)
     third = mixed * apart * multiply_add(1.0 - 2.0 * share, apart2, 3.0 * narrower)
@@ -326,7 +329,7 @@ def moments(outer, within, between, share, e1):
 @part("Skewed")
 def _skewed(outer, within, third, variance, e1):
     """Refraction's part, what the edge cuts off, and the interference's third moment; at most some deviations."""
-    skewed = (multiply_add(outer.bent, SKEW, within.skew / outer.steep * (-1.0 * _deviation(e1)))
+    skewed = (multiply_add(outer.bent, SKEW, within.skew * outer.flat * (-1.0 * _deviation(e1)))
               + third / variance * SKEW_X)
     return skewed * sqrt(variance / multiply_add(squared(skewed), 1.0 / MOST_SKEW ** 2, variance))
 
@@ -344,17 +347,18 @@ def pair(exits, outer, mean, variance, skewed, flat, share, r1, e0, e1):
     both = maximum(multiply_add(skewed, skewed, flat), SMALLEST)
     apart2 = minimum(both, MOST_APART * variance)
     within = multiply_add(apart2, -0.25, variance)
-    apart = sqrt(apart2)
-    lean = skewed / apart
+    over_apart = power(apart2, -0.5)
+    apart, lean = apart2 * over_apart, skewed * over_apart
     first = multiply_add(lean, UNEVEN, 0.5)
     second = 1.0 - first
     rough, round_ = _shape(exits, outer, within, share, r1, e0, e1)
-    farther = minimum(outer.tangent * apart, MOST_FARTHER)
-    rougher, rounder = rough * multiply_add(farther, B2, B1 * lean), round_ * multiply_add(farther, A2, A1 * lean)
-    return [SimpleNamespace(place=mean - second * apart, weight=first, roughness=rough - rougher,
-                            anisotropy=1.0 - (round_ + rounder)),
-            SimpleNamespace(place=mean + first * apart, weight=second, roughness=rough + rougher,
-                            anisotropy=1.0 - (round_ - rounder))]
+    farther, anisotropy = minimum(outer.tangent * apart, MOST_FARTHER), 1.0 - round_
+    rougher = multiply_add(farther, B2, multiply_add(lean, B1, 1.0))
+    rounder = multiply_add(farther, A2, multiply_add(lean, A1, 1.0))
+    return [SimpleNamespace(place=mean - second * apart, weight=first, roughness=rough * (2.0 - rougher),
+                            anisotropy=mix(rounder, anisotropy, 1.0)),
+            SimpleNamespace(place=mean + first * apart, weight=second, roughness=rough * rougher,
+                            anisotropy=mix(2.0 - rounder, anisotropy, 1.0))]
 
 
 @part("Shape of a Lobe", "roughness", "roundness")
@@ -366,7 +370,7 @@ def _shape(exits, outer, within, share, r1, e0, e1):
     """
     across_t = squared(r1) / widen(e1 + 2.0)
     across_x = 2.0 / (widen(e0 + 2.0) + 1.0 / across_t)
-    across = maximum(multiply_add(share, across_x - across_t, across_t), LEAST_VARIANCE * across_t)
+    across = maximum(mix(share, across_x, across_t), LEAST_VARIANCE * across_t)
     v_l = outer.cosine * widen(exits.n0_v) - outer.sine * exits.back
     slope2 = across / maximum(1.0 + v_l, LEAST_1_V_L)
     return power(within * slope2, 0.125) * 0.5 ** 0.125, power(within / slope2, 0.25) * 0.5 ** 0.25
@@ -490,4 +494,4 @@ def transmitted_lobes(n0, aside, exits, half, aim):
 
 @part("Turned Normal")
 def _turned(n0, v_across, aside, on_v, on_aside):
-    return n0 + widen(on_v) * v_across + widen(on_aside) * aside
+    return mix(widen(on_v), n0 + v_across, n0) + widen(on_aside) * aside

@@ -102,7 +102,7 @@ TABLE = (
     Thickness(name="thickness", symbol="d", socket="Thickness", key="d", usual=70.0, low=0.0, high=THICKEST, unit="nm",
               tip="Thickness d of the layer in nanometres: low ones are reddish, more adds blue and green"),
     Triple(name="ior", symbol="r1", socket="Refractive Index", key="r1", default=(1.4, 1.45, 1.6), above=1.0,
-           high=10.0, slider=(1.001, 10.0),
+           high=10.0, slider=(1.001, 10.0), never_zero=True,
            tip="Refractive index r1 of the layer for red, green and blue; different ones make rainbows "
                "where the boundaries deviate"),
     Number(name="exponent_r", symbol="e0", socket="Exponent R", key="e0", default=90.0, low=0.0, high=100000.0,
@@ -115,7 +115,7 @@ TABLE = (
     Number(name="azimuth", socket="Azimuth", default=0.0, slider=(-2.0 * math.pi, 2.0 * math.pi), unit="radians",
            subtype="ANGLE", tip="Direction of the deviation about the normal, counted from the tangent"),
     Triple(name="wavelengths", symbol="λ", socket="Wavelengths", default=WAVELENGTHS, above=0.0,
-           high=10000.0, slider=(1.0, 10000.0), unit="nm", panel="Model",
+           high=10000.0, slider=(1.0, 10000.0), unit="nm", panel="Model", never_zero=True,
            tip="Wavelengths of red, green and blue in nanometres"),
     Choice(name="scale", socket="Published Scale", key="published", default="energy", options=("energy", "published"),
            panel="Model", tip="0: lobes scaled by (e + 2)/(2 pi), diffuse part with its factor of a half; "
