@@ -7,19 +7,19 @@ from ..models.model import Group
 __all__ = ["GROUPS", "build"]
 
 GROUPS = (
-    Group("finish_brushed", "Brushed", 4, "brushed.build",
+    Group("finish_brushed", "Brushed", 5, "brushed.build",
           "Parallel streaks, for Roughness, Normal, Tangent and Diffuse Color"),
-    Group("finish_brushed_circular", "Brushed Circular", 4, "circular.build",
+    Group("finish_brushed_circular", "Brushed Circular", 5, "circular.build",
           "Streaks in circles, for Roughness, Normal, Tangent and Diffuse Color"),
-    Group("finish_sandblasted", "Sandblasted", 5, "sandblasted.build",
+    Group("finish_sandblasted", "Sandblasted", 6, "sandblasted.build",
           "An even, fine grain, for Roughness, Normal and Diffuse Color"),
-    Group("finish_hammered", "Hammered", 4, "hammered.build", "Shallow dimples, for Roughness and Normal"),
-    Group("finish_cast", "Cast", 3, "cast.build", "The skin of a sand mould, for Roughness and Normal"),
-    Group("finish_scratched", "Scratched", 5, "scratched.build",
+    Group("finish_hammered", "Hammered", 5, "hammered.build", "Shallow dimples, for Roughness and Normal"),
+    Group("finish_cast", "Cast", 4, "cast.build", "The skin of a sand mould, for Roughness and Normal"),
+    Group("finish_scratched", "Scratched", 6, "scratched.build",
           "Scratches and hairlines, for Roughness, Normal and Diffuse Color"),
-    Group("finish_smudged", "Smudged", 5, "smudged.build",
+    Group("finish_smudged", "Smudged", 6, "smudged.build",
           "Fingerprints and wipe marks, for Roughness and Diffuse Color"),
-    Group("finish_worn_edges", "Worn Edges", 4, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
+    Group("finish_worn_edges", "Worn Edges", 5, "worn.build", "Edges rubbed bright, for Roughness and Tint"),
 )
 """Every node group of a finish."""
 

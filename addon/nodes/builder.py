@@ -1,8 +1,8 @@
 """Builds a shader node group out of formulas written with addon.operands.
 
-One node an operation, a product and the sum it is in together; equal
-subexpressions share their node; constants fold; nodes of one named term stand
-together in a frame.
+One node an operation, a product and the sum it is in together; products of
+colours are Mix nodes (see addon.nodes.facts); equal subexpressions share their
+node; constants fold; nodes of one named term stand together in a frame.
 """
 
 import contextlib
@@ -13,7 +13,8 @@ import numpy as np
 
 from ..models.osl import parameter_of
 from . import newcomers, parts
-from .facts import OF_A_PLACE, UNKNOWN, Facts, as_mix, of_number, result
+from .curves import set_knots, set_stops
+from .facts import OF_A_PLACE, UNKNOWN, Facts, as_mix, of_number, outcome
 from .layout import arrange
 from .operand import NodeOperand, is_vector
 from .osl_compiler import compile_script, text_of
@@ -114,7 +115,8 @@ class GroupBuilder:
             for identifier, operand in (inputs or {}).items():
                 self.connect(socket_of(node.inputs, identifier), operand)
             if bl_idname != "ShaderNodeGroup":
-                self._facts[node.name] = result(properties.get("operation", bl_idname), [*map(self.facts, (inputs or {}).values())])
+                operands = [self.facts(operand) for operand in (inputs or {}).values()]
+                self._facts[node.name] = outcome(properties.get("operation", bl_idname), operands)
         socket = socket_of(node.outputs, output) if output else node.outputs[0]
         return NodeOperand(self, kind_of(socket), socket)
 
@@ -192,7 +194,7 @@ class GroupBuilder:
             node = self._new_node("ShaderNodeFloatCurve", {})
             set_knots(node.mapping, 0, knots, values)
             self.connect(socket_of(node.inputs, "Value"), x)
-            self._facts[node.name] = result(None, [self.facts(x)])
+            self._facts[node.name] = outcome(None, [self.facts(x)])
             self._shared[key] = NodeOperand(self, "FLOAT", node.outputs[0])
         return self._shared[key]
 
@@ -203,7 +205,7 @@ class GroupBuilder:
             for channel in range(3):
                 set_knots(node.mapping, channel, knots, values)
             self.connect(socket_of(node.inputs, "Color"), x)
-            self._facts[node.name] = result(None, [self.facts(x)])
+            self._facts[node.name] = outcome(None, [self.facts(x)])
             self._shared[key] = NodeOperand(self, "VECTOR", node.outputs[0])
         return self._shared[key]
 
@@ -214,7 +216,7 @@ class GroupBuilder:
             node = self._new_node("ShaderNodeValToRGB", {})
             set_stops(node.color_ramp, knots, values)
             self.connect(socket_of(node.inputs, "Fac"), x)
-            self._facts[node.name] = result(None, [self.facts(x)])
+            self._facts[node.name] = outcome(None, [self.facts(x)])
             self._shared[key] = NodeOperand(self, "VECTOR", node.outputs[0])
         return self._shared[key]
 
@@ -404,7 +406,7 @@ class GroupBuilder:
     def _mix_in_place_of(self, name, operands, facts, blend):
         """The Mix of :func:`addon.nodes.facts.as_mix`, labelled as what it does."""
         mixed = self._mix("VECTOR", "Vector", *blend, label=name.replace("_", " ").title())
-        self._facts[mixed.source.node.name] = result(VECTOR_MATH[name], facts)
+        self._facts[mixed.source.node.name] = outcome(VECTOR_MATH[name], facts)
         if name == "multiply" and all(fact.lasts for fact in facts):
             self._products[mixed.source.node.name] = operands
         return mixed
@@ -472,30 +474,6 @@ class GroupBuilder:
 
     def _key(self, operand):
         return operand.key() if isinstance(operand, NodeOperand) else constant(operand)
-
-
-def set_knots(mapping, curve, knots, values):
-    """Put straight lines between knots into a curve of a CurveMapping; their ends are held."""
-    mapping.use_clip = False
-    mapping.extend = "HORIZONTAL"
-    points = mapping.curves[curve].points
-    while len(points) < len(knots):
-        points.new(0.5, 0.5)
-    for point, knot, value in zip(points, knots, values):
-        point.location = (float(knot), float(value))
-        point.handle_type = "VECTOR"
-    mapping.update()
-
-
-def set_stops(ramp, knots, values):
-    """Put straight lines between knots, at most 32, into a color ramp."""
-    ramp.color_mode, ramp.interpolation = "RGB", "LINEAR"
-    while len(ramp.elements) < len(knots):
-        ramp.elements.new(0.5)
-    for stop, knot in zip(ramp.elements, knots):
-        stop.position = float(knot)
-    for stop, value in zip(ramp.elements, values):
-        stop.color = (*map(float, value), 1.0)
 
 
 def constant(operand):
