@@ -108,7 +108,8 @@ def _sort(builder, value):
     if isinstance(value, NodeOperand):
         return value.kind, builder.facts(value)
     if _is_number(value):
-        return "VECTOR" if isinstance(value, (list, tuple)) else "FLOAT", of_number(value)
+        # The same part serves what varies, for numbers are folded whatever its nodes are.
+        return "VECTOR" if isinstance(value, (list, tuple)) else "FLOAT", of_number(value)._replace(varies=True)
     return None if value is builder else value
 
 

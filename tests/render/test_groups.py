@@ -11,7 +11,7 @@ import pytest
 from addon import api
 from addon.bake import bake
 from addon.blender import compat
-from addon.blender.datablocks import fingerprints, groups, materials
+from addon.blender.datablocks import fingerprints, groups, materials, parts
 from addon.models.parameters import Socket
 from addon.nodes.builder import GroupBuilder
 from addon.operands import part
@@ -142,10 +142,26 @@ def test_equal_parts_are_there_once():
     """Whatever groups they came in with; menus, which leave out names with a dot, do not offer them."""
     for identifier in BUILT:
         groups.node_group(identifier)
-    parts = [tree for tree in bpy.data.node_groups if fingerprints.PART_KEY in tree]
-    assert all(fingerprints.fingerprint(part) == part[fingerprints.PART_KEY] for part in parts)
-    assert len({part[fingerprints.PART_KEY] for part in parts}) == len(parts)
-    assert all(re.fullmatch(r"\.[^.]+", part.name) for part in parts)
+    found = [tree for tree in bpy.data.node_groups if fingerprints.PART_KEY in tree]
+    assert all(fingerprints.fingerprint(part) == part[fingerprints.PART_KEY] for part in found)
+    assert len({part[fingerprints.PART_KEY] for part in found}) == len(found)
+    assert all(re.fullmatch(r"\.[^.]+", part.name) for part in found)
+
+
+def test_a_part_comes_into_its_equals_place_in_groups_and_materials():
+    """Where people copied it to from a group, too."""
+    whole = groups.node_group("cook_torrance_fast")
+    first = next(tree for tree in bpy.data.node_groups if tree.name == ".Seen From")
+    second = first.copy()
+    users = [node for node in whole.nodes if getattr(node, "node_tree", None) == first]
+    plain = bpy.data.materials.new("Plain")
+    compat.enable_nodes(plain)
+    users += [plain.node_tree.nodes.new("ShaderNodeGroup")]
+    for node in users:
+        node.node_tree = second
+    parts.merge_parts()
+    assert len(users) > 1 and all(node.node_tree == first for node in users)
+    assert [tree.name for tree in bpy.data.node_groups if tree.name.startswith(".Seen")] == [".Seen From"]
 
 
 def test_a_part_that_someone_edited_is_left_alone():

@@ -33,14 +33,24 @@ def merge_parts(known=None):
     for tree in _parts():
         shown = key_of(image_in(tree)) if SHOWS in tree else ""
         found.setdefault((tree[PART_KEY], shown), []).append(tree)
-    needless, known = [], {} if known is None else dict(known)
+    needless, known = {}, {} if known is None else dict(known)
     for (key, _), trees in found.items():
         same = [tree for tree in trees if fingerprint_of_part(tree, known) == key] if len(trees) > 1 else []
-        for tree in same[1:]:
-            tree.user_remap(same[0])
-            needless.append(tree)
+        needless.update({tree: same[0] for tree in same[1:]})
     if needless:
-        bpy.data.batch_remove(needless)
+        _replace(needless)
+        bpy.data.batch_remove(list(needless))
+
+
+def _replace(needless):
+    """Put other parts, {part: other}, in their places: in groups node by node, which takes a third of Blender's way."""
+    for tree in filter(is_editable, bpy.data.node_groups):
+        for node in tree.nodes:
+            if node.bl_idname == "ShaderNodeGroup" and node.node_tree in needless:
+                node.node_tree = needless[node.node_tree]
+    for part, other in needless.items():
+        if part.users > part.use_fake_user:  # somewhere else, as in a material
+            part.user_remap(other)
 
 
 def drop_unused_parts():
