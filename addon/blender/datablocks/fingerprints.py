@@ -29,7 +29,7 @@ SETTINGS = {
     "ShaderNodeTexVoronoi": ("voronoi_dimensions", "feature", "distance", "normalize"),
     "ShaderNodeAmbientOcclusion": ("samples", "inside", "only_local"),
     "ShaderNodeLightPath": (), "ShaderNodeObjectInfo": (), "ShaderNodeFloatCurve": (), "ShaderNodeRGBCurve": (),
-    "ShaderNodeValToRGB": (), "ShaderNodeFresnel": (),
+    "ShaderNodeValToRGB": (), "ShaderNodeFresnel": (), "ShaderNodeClamp": ("clamp_type",),
     "ShaderNodeVectorTransform": ("vector_type", "convert_from", "convert_to"),
     "ShaderNodeTexImage": ("interpolation", "projection", "extension"), "ShaderNodeBsdfTransparent": (),
     "NodeGroupInput": (), "NodeGroupOutput": (), "ShaderNodeGroup": (), "NodeReroute": (),
