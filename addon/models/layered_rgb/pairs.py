@@ -41,7 +41,6 @@ from ...operands import (
     cos,
     dot,
     exp,
-    less,
     lookup,
     maximum,
     minimum,
@@ -67,7 +66,6 @@ LEAST_SINE2 = 1e-6
 """Of the square of D's sine, in a division."""
 HIGHEST_SINE = 0.985
 """Of the mean direction of what leaves."""
-LEAST_TILT = 1e-8
 LEAST_HEIGHT = 0.02
 """Of the direction in which R/T is taken: at the horizon T is 0."""
 
@@ -141,7 +139,6 @@ def exits_of(view, n0, aside, r1):
 
     n0_v, across_v   <n0,V>, and the squared sine of V, ``(...)``
     v_across         V's part across n0, ``(..., 3)``
-    tilted           1 where the boundaries are not parallel, else 0, ``(...)``
     and per channel ``(..., 3)``:
     r1_cos_o, r1_cos_w   r1 times the cosines in the layer of V refracted and of w
     along            see above
@@ -155,13 +152,16 @@ def exits_of(view, n0, aside, r1):
     """
     n0_v, aside_v, aside2 = dot(n0, view), dot(aside, view), dot(aside, aside)
     across_v = 1.0 - n0_v * n0_v
-    r1_cos_o = sqrt(squared(r1) - widen(across_v))
+    r1_cos_o2 = squared(r1) - widen(across_v)
+    r1_cos_o = sqrt(r1_cos_o2)
     along = r1_cos_o * widen(2.0 * sqrt(1.0 - aside2)) + widen(2.0 * aside_v)
-    sine2 = widen(across_v) + along * (along * widen(aside2) - widen(2.0 * aside_v))
+    # Apart, so that parallel boundaries share the roots.
+    by_tilt = along * (along * widen(aside2) - widen(2.0 * aside_v))
+    sine2 = widen(across_v) + by_tilt
     inverse_sine = power(maximum(sine2, LEAST_SINE2), -0.5)
     return SimpleNamespace(
-        n0_v=n0_v, across_v=across_v, v_across=view - widen(n0_v) * n0, tilted=less(LEAST_TILT, aside2),
-        r1_cos_o=r1_cos_o, r1_cos_w=sqrt(squared(r1) - sine2), along=along,
+        n0_v=n0_v, across_v=across_v, v_across=view - widen(n0_v) * n0,
+        r1_cos_o=r1_cos_o, r1_cos_w=sqrt(r1_cos_o2 - by_tilt), along=along,
         sine=sine2 * inverse_sine, sine2=sine2, inverse_sine=inverse_sine,
         back=(widen(across_v) - along * widen(aside_v)) * inverse_sine,
         off_plane=squared(along * inverse_sine) * widen(across_v * aside2 - aside_v * aside_v))
@@ -276,8 +276,8 @@ def _lobe_between(exits, within, outer, from_mirror, r1, e0, e1):
 @part("R over T")
 def _r_over_t(outer, within, place, f):
     """F over (1 - F) 𝒯 at the middle of the interference's lobe."""
-    height = maximum(outer.cosine - X_AWAY * outer.sine * place, LEAST_HEIGHT)
-    passed = multiply_add(fifth_power(1.0 - height), f - 1.0, 1.0 - f)
+    away = minimum(outer.sine * place * X_AWAY + (1.0 - outer.cosine), 1.0 - LEAST_HEIGHT)
+    passed = multiply_add(fifth_power(away), f - 1.0, 1.0 - f)
     return (1.0 - passed) / (passed * multiply_add(within.grazing, f - 1.0, 1.0 - f))
 
 
@@ -300,11 +300,11 @@ def dealt_out(r, t, between, towards_r, e0, e1, published):
     """
     scale_r, scale_t = (where(published, 2.0 * PI / (e + 2.0), 1.0) for e in (e0, e1))
     r, t, between = r * widen(scale_r), t * widen(scale_t), between * widen(sqrt(scale_r * scale_t))
-    to_r = maximum(towards_r * between, -1.0 * r)
-    rest = t + (between - to_r)
-    share = maximum(1.0 - t / maximum(rest, SMALLEST), -MOST_TAKEN)
+    to_r, both = maximum(towards_r * between, -1.0 * r), t + between
+    by_t = maximum(both - to_r, SMALLEST)
+    share = maximum(1.0 - t / by_t, -MOST_TAKEN)
     pulled = maximum(to_r, 0.0) * (1.0 - towards_r) / maximum(r + to_r, SMALLEST)
-    return maximum(r + to_r + minimum(rest, 0.0), 0.0), maximum(rest, 0.0), share, pulled
+    return maximum(r + both - by_t, 0.0), by_t, share, pulled
 
 
 @part("Moments", "mean", "variance", "skewed", "flat")
@@ -349,15 +349,15 @@ def pair(exits, outer, mean, variance, skewed, flat, share, r1, e0, e1):
     within = multiply_add(apart2, -0.25, variance)
     over_apart = power(apart2, -0.5)
     apart, lean = apart2 * over_apart, skewed * over_apart
-    first = multiply_add(lean, UNEVEN, 0.5)
-    second = 1.0 - first
+    weight = multiply_add(lean, UNEVEN, 0.5)
+    farther_place = mean + weight * apart
     rough, round_ = _shape(exits, outer, within, share, r1, e0, e1)
     farther, anisotropy = minimum(outer.tangent * apart, MOST_FARTHER), 1.0 - round_
     rougher = multiply_add(farther, B2, multiply_add(lean, B1, 1.0))
     rounder = multiply_add(farther, A2, multiply_add(lean, A1, 1.0))
-    return [SimpleNamespace(place=mean - second * apart, weight=first, roughness=rough * (2.0 - rougher),
+    return [SimpleNamespace(place=farther_place - apart, weight=weight, roughness=rough * (2.0 - rougher),
                             anisotropy=mix(rounder, anisotropy, 1.0)),
-            SimpleNamespace(place=mean + first * apart, weight=second, roughness=rough * rougher,
+            SimpleNamespace(place=farther_place, weight=1.0 - weight, roughness=rough * rougher,
                             anisotropy=mix(2.0 - rounder, anisotropy, 1.0))]
 
 
@@ -477,12 +477,11 @@ def mirrored_lobe(view, n0, aside, light):
 def aim(exits, outer, half, albedo, r1):
     """How far the normals that mirror V to the lobes' places lean from n0 along V's part across it and along aside;
     and the lobes' colour, for what closures lose at the horizon; per channel ``(..., 3)``."""
-    cosine = multiply_add(half.place, -1.0 * outer.sine, outer.cosine)
+    height = multiply_add(half.place, -1.0 * outer.sine, outer.cosine + widen(exits.n0_v))
     on_plane = multiply_add(half.place, outer.cosine, outer.sine) * exits.inverse_sine
-    height = cosine + widen(exits.n0_v)
     hidden = multiply_add(lookup(outer.cosine, KNOTS, HIDDEN), squared(r1) - HIDES, 1.0)
     return SimpleNamespace(on_v=(1.0 - on_plane) / height, on_aside=on_plane * exits.along / height,
-                           colour=albedo * half.weight * hidden)
+                           colour=albedo * hidden * half.weight)
 
 
 def transmitted_lobes(n0, aside, exits, half, aim):
