@@ -346,12 +346,12 @@ def pair(exits, outer, mean, variance, skewed, flat, share, r1, e0, e1):
     """The two lobes, per channel ``(..., 3)``: place in the plane, weight, roughness and anisotropy."""
     both = maximum(multiply_add(skewed, skewed, flat), SMALLEST)
     apart2 = minimum(both, MOST_APART * variance)
-    within = multiply_add(apart2, -0.25, variance)
+    half_within = multiply_add(apart2, -0.125, 0.5 * variance)
     over_apart = power(apart2, -0.5)
     apart, lean = apart2 * over_apart, skewed * over_apart
     weight = multiply_add(lean, UNEVEN, 0.5)
     farther_place = mean + weight * apart
-    rough, round_ = _shape(exits, outer, within, share, r1, e0, e1)
+    rough, round_ = _shape(exits, outer, half_within, share, r1, e0, e1)
     farther, anisotropy = minimum(outer.tangent * apart, MOST_FARTHER), 1.0 - round_
     rougher = multiply_add(farther, B2, multiply_add(lean, B1, 1.0))
     rounder = multiply_add(farther, A2, multiply_add(lean, A1, 1.0))
@@ -362,8 +362,8 @@ def pair(exits, outer, mean, variance, skewed, flat, share, r1, e0, e1):
 
 
 @part("Shape of a Lobe", "roughness", "roundness")
-def _shape(exits, outer, within, share, r1, e0, e1):
-    """Roughness of a lobe of this variance in the plane, and 1 - its anisotropy.
+def _shape(exits, outer, half_within, share, r1, e0, e1):
+    """Roughness of a lobe of twice this variance in the plane, and 1 - its anisotropy.
 
     The Beckmann slopes are √(variance/2) in the plane and across it √(variance across/(1 + V.L)), for normals stand
     V.H times as far apart there as L does.
@@ -373,7 +373,7 @@ def _shape(exits, outer, within, share, r1, e0, e1):
     across = maximum(mix(share, across_x, across_t), LEAST_VARIANCE * across_t)
     v_l = outer.cosine * widen(exits.n0_v) - outer.sine * exits.back
     slope2 = across / maximum(1.0 + v_l, LEAST_1_V_L)
-    return power(within * slope2, 0.125) * 0.5 ** 0.125, power(within / slope2, 0.25) * 0.5 ** 0.25
+    return power(half_within * slope2, 0.125), power(half_within / slope2, 0.25)
 
 
 @part("R's Lobe")

@@ -100,6 +100,7 @@ TABLE = (
     Number(name="diffuse", socket="Diffuse", default=0.5, low=0.0, high=1.0, subtype="FACTOR",
            tip="Weight of the diffuse part, whose colour the thickness makes"),
     Thickness(name="thickness", symbol="d", socket="Thickness", key="d", usual=70.0, low=0.0, high=THICKEST, unit="nm",
+              never_zero=True,
               tip="Thickness d of the layer in nanometres: low ones are reddish, more adds blue and green"),
     Triple(name="ior", symbol="r1", socket="Refractive Index", key="r1", default=(1.4, 1.45, 1.6), above=1.0,
            high=10.0, slider=(1.001, 10.0), never_zero=True,
