@@ -18,6 +18,7 @@ from ...operands import (
     less,
     maximum,
     minimum,
+    mix,
     multiply_add,
     part,
     rotate,
@@ -106,8 +107,8 @@ def v_cavity_lobe(sine, m, roughness=1.0, free=None):
     q = widen(m2 / ((HEIGHT2 + m2) - HEIGHT2 * sine))
     own = vector(roughness, 1.0, 1.0)
     constant, first, second, third = (own * of_slope(held, *factors) for factors in CHANGES)
-    total = third + LEANING
-    for factor in (second, first, constant + own * OF_NOTHING):
+    total = mix(q, second + (third + LEANING), second)
+    for factor in (first, constant + own * OF_NOTHING):
         total = multiply_add(q, total, factor)
     return x_of(total), y_of(total), (sine if free is None else free) * z_of(total)
 
