@@ -15,7 +15,7 @@ from .parameters import TABLE
 __all__ = ["build"]
 
 NUDGE = (0.0003, 0.0005, 0.0007)
-"""Turns a lobe's tangent off V, for where V is the lobe's normal the two would span no plane."""
+"""Turns a lobe's tangent, for where it is the lobe's normal, or 0, the two would span no plane."""
 
 
 def build(builder):
@@ -26,10 +26,10 @@ def build(builder):
     light = light_of_the_layer(view, n0, aside, sockets.r1, sockets.d, sockets.wavelengths, sockets.e0, sockets.e1,
                                sockets.published)
     mirrored = mirrored_lobe(view, n0, aside, light)
-    closures = [_closure(builder, mirrored, view, sockets.specular)]
+    closures = [_closure(builder, mirrored, sockets.specular)]
     for half in light.halves:
         aimed = aim(light.exits, light.outer, half, light.t, sockets.r1)
-        closures.append(_transmitted(builder, view, n0, aside, light.exits, half, aimed, sockets.specular))
+        closures.append(_transmitted(builder, n0, aside, light.exits, half, aimed, sockets.specular))
     with builder.frame("specular ρ + diffuse ρ_d/π"):
         albedo = rho_d_eq16(sockets.r1, sockets.d, sockets.wavelengths, sockets.published)
         native = builder.node("ShaderNodeBsdfDiffuse", {
@@ -38,15 +38,15 @@ def build(builder):
 
 
 @part("Lobes of T")
-def _transmitted(builder, view, n0, aside, exits, half, aimed, specular):
+def _transmitted(builder, n0, aside, exits, half, aimed, specular):
     """The Glossy BSDFs of one lobe a channel."""
     lobes = transmitted_lobes(n0, aside, exits, half, aimed)
-    return builder.add_shaders(*(_closure(builder, lobe, view, specular) for lobe in lobes))
+    return builder.add_shaders(*(_closure(builder, lobe, specular) for lobe in lobes))
 
 
 @part("Native Lobe of the Layer")
-def _closure(builder, lobe, view, specular):
+def _closure(builder, lobe, specular):
     """The Glossy BSDF of one lobe."""
     return builder.node("ShaderNodeBsdfAnisotropic", {
         "Color": lobe.colour * widen(specular), "Roughness": lobe.roughness, "Anisotropy": lobe.anisotropy,
-        "Normal": lobe.normal, "Tangent": view + NUDGE}, distribution="BECKMANN")
+        "Normal": lobe.normal, "Tangent": lobe.tangent + NUDGE}, distribution="BECKMANN")

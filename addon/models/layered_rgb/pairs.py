@@ -18,6 +18,9 @@ from T than there is, R gives the rest.  No colour becomes negative.
 **The pair.**  Mean and variance are those of T and what it was dealt; how far apart the two stand, and which of them is
 the wider, follows from third and fourth moments: X that takes light leaves flat tops, refraction lopsided ones.
 
+**Tangents.**  A lobe of T is longest or shortest in the plane of n0 and D, so its tangent lies there.  V would not do:
+where deviated light goes back to where it came from, V is the lobe's normal.
+
 **Parallel boundaries.**  All that a tilted lower boundary changes is told by `aside`, the part of n1 across n0.  Where
 Deviation is 0 and Lower Normal is not plugged in, it is a constant 0, and the renderer folds away what it multiplies.
 
@@ -145,6 +148,7 @@ def exits_of(view, n0, aside, r1):
     sine, sine2, inverse_sine   of D, its square, and 1/sine; above 1 where D does not leave
     back             how far V leans away from D in their plane: part of -V along D's part across n0
     off_plane        squared distance of the mirror direction from the plane of n0 and D
+    across_d         D's part across n0 the other way, for a mean channel, ``(..., 3)``
 
     >>> import numpy as np
     >>> exits_of(np.array([0.6, 0.0, 0.8]), np.array([0.0, 0.0, 1.0]), np.zeros(3), np.full(3, 1.5)).sine.round(6)
@@ -159,8 +163,9 @@ def exits_of(view, n0, aside, r1):
     by_tilt = along * (along * widen(aside2) - widen(2.0 * aside_v))
     sine2 = widen(across_v) + by_tilt
     inverse_sine = power(maximum(sine2, LEAST_SINE2), -0.5)
+    v_across = view - widen(n0_v) * n0
     return SimpleNamespace(
-        n0_v=n0_v, across_v=across_v, v_across=view - widen(n0_v) * n0,
+        n0_v=n0_v, across_v=across_v, v_across=v_across, across_d=v_across - widen(dot(along, MEAN)) * aside,
         r1_cos_o=r1_cos_o, r1_cos_w=sqrt(r1_cos_o2 - by_tilt), along=along,
         sine=sine2 * inverse_sine, sine2=sine2, inverse_sine=inverse_sine,
         back=(widen(across_v) - along * widen(aside_v)) * inverse_sine,
@@ -449,7 +454,7 @@ def native_lobes(view, n0, aside, *layer):
     """The seven native lobes: R's, and two of T for red, green and blue.
 
     Operands as of :func:`light_of_the_layer`.  Each lobe has a normal, not of length 1, and a colour ``(..., 3)``, and
-    the roughness and the anisotropy of a Glossy BSDF whose tangent is V, ``(...)``.
+    the roughness and the anisotropy of a Glossy BSDF, ``(...)``, and its tangent ``(..., 3)``.
 
     >>> import numpy as np
     >>> up = np.array([0.0, 0.0, 1.0])
@@ -470,7 +475,8 @@ def mirrored_lobe(view, n0, aside, light):
     mirrored = light.mirrored
     return SimpleNamespace(normal=n0 + widen(mirrored.lean) * view + widen(light.pulled) * aside,
                            colour=light.r * widen(mirrored.lost),
-                           roughness=mirrored.roughness, anisotropy=mirrored.anisotropy)
+                           roughness=mirrored.roughness, anisotropy=mirrored.anisotropy,
+                           tangent=light.exits.v_across)
 
 
 @part("Aim")
@@ -487,7 +493,8 @@ def aim(exits, outer, half, albedo, r1):
 def transmitted_lobes(n0, aside, exits, half, aim):
     """One half of T's pairs, as :func:`native_lobes` gives them."""
     return [SimpleNamespace(normal=_turned(n0, exits.v_across, aside, of(aim.on_v), of(aim.on_aside)),
-                            colour=aim.colour * channel, roughness=of(half.roughness), anisotropy=of(half.anisotropy))
+                            colour=aim.colour * channel, roughness=of(half.roughness), anisotropy=of(half.anisotropy),
+                            tangent=exits.across_d)
             for of, channel in CHANNELS]
 
 
