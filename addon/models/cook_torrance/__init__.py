@@ -60,9 +60,9 @@ MODEL = Model(
              "1(1), 1982",
     parameters=CookTorrance,
     groups=(
-        Group("cook_torrance_fast", "Cook-Torrance Standard", 9, "fast.build",
+        Group("cook_torrance_fast", "Cook-Torrance Standard", 10, "fast.build",
               "Metals, plastics and stone, clean and fast, in Cycles and in EEVEE: the one to take first"),
-        Group("cook_torrance_fast_f82", "Cook-Torrance Standard F82", 9, "fast.build_f82",
+        Group("cook_torrance_fast_f82", "Cook-Torrance Standard F82", 10, "fast.build_f82",
               "Cook-Torrance Standard for plastics and stone in Blender 4.5, whose own formula for metals misses them",
               in_menu=False),
         Group("cook_torrance_exact", "Cook-Torrance Reference", 9, "exact.build",
