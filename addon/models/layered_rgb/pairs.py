@@ -13,7 +13,8 @@ d(angle)/d(angle within).
 
 **Interference.**  X = 2 cos(2Φ) √(RT) is T times 2 cos(2Φ) √(R/T), and log √(R/T) is quadratic: so X is T's Gaussian,
 moved, made narrower and scaled.  It is dealt to T and to R, by how near it stands to each; where that takes more light
-from T than there is, R gives the rest.  No colour becomes negative.
+from T than there is, R gives the rest.  No colour becomes negative.  Where the boundaries are not parallel, it stands
+off the plane, towards the mirror direction: there it moves T's mean.
 
 **The pair.**  Mean and variance are those of T and what it was dealt; how far apart the two stand, and which of them is
 the wider, follows from third and fourth moments: X that takes light leaves flat tops, refraction lopsided ones.
@@ -26,8 +27,9 @@ Deviation is 0 and Lower Normal is not plugged in, it is a constant 0, and the r
 
 **The constants** are a least-squares fit to quadrature of the formula: of the closures' albedo up to 75°, of the
 colours' up to 80°, of the peaks in the plane of V and n0 up to 70°, and of the means of six rings of a sphere under
-suns of 0° to 75°; for the layers of the paper's figures 3 and 5, 15 to 400 nm thick, parallel and deviated by 5°, 10°
-and 14°, and in the rings for nacre (indices 1.53 to 1.58, exponents 60 and 30) and oil (1.46 to 1.49, 500 and 350).
+suns of 0° to 75°; for the layers of the paper's figures 3 and 5, 15 to 400 nm thick, in the rings 15 to 170, parallel
+and deviated by 5°, 10° and 14°.  Rings of nacre (indices 1.53 to 1.58, exponents 60 and 30) and of oil (1.46 to 1.49,
+500 and 350) and albedos of indices from 1.1 to 2.4 count for less.
 
 The energy scale's (e + 2)/(2π) is in the albedos; the published scale takes it off again.
 
@@ -67,7 +69,7 @@ MEAN = (1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0)
 SMALLEST = 1e-9
 LEAST_SINE2 = 1e-6
 """Of the square of D's sine, in a division."""
-HIGHEST_SINE = 0.985
+HIGHEST_SINE = 0.9718
 """Of the mean direction of what leaves."""
 LEAST_HEIGHT = 0.02
 """Of the direction in which R/T is taken: at the horizon T is 0."""
@@ -98,35 +100,37 @@ R_MORE = R_CUTS * R_SHARE + R_DENSITY - R_CUTS
 """Mean cosine of a lobe that the horizon cuts off at z deviations less its axis's, in deviations."""
 R_LOST = 1.0 / R_SHARE
 
-EDGE_STEPS, LATE = (0.0096, 0.1025), 0.1571
-EDGE_CURVE, EDGE_LEAN, EDGE_BEND = 0.6558, 1.3691, 0.253
+EDGE_STEPS, LATE = (0.0096, 0.1025), 0.1515
+EDGE_CURVE, EDGE_LEAN, EDGE_BEND = 0.6221, 1.3552, 0.3419
 """Where total reflection cuts T off: inside the edge (1 - F) rises to 1 in two steps, at these offsets over √(r1²-1),
 LATE of it by the second; the edge bends away from a lobe of deviation σ by EDGE_CURVE σ² √(r1²-1)."""
-SHIFTED = SHIFT * (1.0 + -0.181 * CUT_OFF + 0.1158 * CUT_OFF ** 2)
-KEPT_BY_FIT = KEPT * (1.0 + 0.5004 * CUT_OFF + -0.6566 * CUT_OFF ** 2)
-BEND = 0.2855 + -0.1648 * CUT_OFF + -1.144 * CUT_OFF ** 2
-SKEW_BY_EDGE = 2.2364 * CUT_OFF + 1.1982 * CUT_OFF ** 2
+SHIFTED = SHIFT * (1.0 + -0.197 * CUT_OFF + 0.2228 * CUT_OFF ** 2)
+KEPT_BY_FIT = KEPT * (1.0 + 0.7384 * CUT_OFF + -0.8472 * CUT_OFF ** 2)
+BEND = 0.3262 + 0.4252 * CUT_OFF + -1.0974 * CUT_OFF ** 2
+SKEW_BY_EDGE = 1.9024 * CUT_OFF + 1.1824 * CUT_OFF ** 2
 """The curves of what the edge cuts off, for refraction bends the Gaussian."""
 WHOLE = 0.9995
 """Of T's albedo in closed form."""
-WIDER = 5.3071
+WIDER = 7.5737
 """How much wider than 1/(e + 2) the variance of cos^e is, times e + 2, widened by refraction."""
-X_AWAY, X_RISE, PLACE, NARROW, FADING = 1.2727, 1.1407, 0.9612, 1.0212, 0.969
+X_AWAY, X_RISE, PLACE, NARROW, FADING = 1.3181, 1.2598, 0.9634, 0.9934, 1.017
 MOST_EXPONENT = 2.0
 """Of the interference's lobe: how far from the mean R/T is taken, how much refraction raises it, its place and variance
 over those of Gaussians, and how much it fades where 2Φ turns within it."""
-NEAR, MOST_TO_R, MOST_TAKEN, PULL = 0.3172, 0.9, 2.0, 0.354
+NEAR, MOST_TO_R, MOST_TAKEN, PULL = 0.3534, 0.9, 2.0, 0.3699
 """How near to R's lobe the interference is R's; the most that R gets, and that T loses; how far it draws R's lobe."""
-SKEW, SKEW_X, MOST_SKEW, MEAN_X = 6.3304, 8.0707, 2.0371, 1.1945
-FLAT, FLAT_CUT = 1.7771, 0.4855
-LEAST_VARIANCE, MOST_APART = 0.15, 2.0401
+OFF_PLANE, SPREAD = 0.6104, -4.6457
+"""Weights of how far the interference moves T off the plane of n0 and D, and of how much it widens T across it."""
+SKEW, SKEW_X, MOST_SKEW, MEAN_X = 5.9452, 1.3105, 3.7394, 3.3303
+FLAT, FLAT_CUT = 2.0583, 0.4098
+LEAST_VARIANCE, MOST_APART = 0.15, 2.0173
 """Weights of refraction, interference and edge in the moments; the variance is some of T's at least, and the square of
 how far apart a pair stands some of its variance at most."""
-UNEVEN, A1, A2, B1, B2 = 0.0199, -0.0494, 0.1933, 0.0385, 0.0968
+UNEVEN, A1, A2, B1, B2 = -0.0105, -0.0123, -0.0571, 0.0372, 0.0898
 MOST_FARTHER = 1.5
 """How a lopsided pair differs in weight, in anisotropy and roughness (A1, B1), and in V.H (A2, B2): at most by
 MOST_FARTHER."""
-HIDDEN, HIDES = 0.2001 * np.exp(-6.6481 * KNOTS), 1.3373
+HIDDEN, HIDES = 0.8391 * np.exp(-9.1211 * KNOTS), 1.5542
 """What a pair loses at the horizon, over the cosine of the mean of T, and r1² of those that lose nothing."""
 LEAST_1_V_L, LEAST_V_H = 0.08, 0.2
 LEAST_LEAN, MOST_LEAN = -0.3, 0.12
@@ -147,8 +151,9 @@ def exits_of(view, n0, aside, r1):
     along            see above
     sine, sine2, inverse_sine   of D, its square, and 1/sine; above 1 where D does not leave
     back             how far V leans away from D in their plane: part of -V along D's part across n0
+    beyond           how much farther out D is in their plane than the mirror direction
     off_plane        squared distance of the mirror direction from the plane of n0 and D
-    across_d         D's part across n0 the other way, for a mean channel, ``(..., 3)``
+    across_d         D's part across n0 the other way, for a mean channel, ``(..., 3)``: where T's lobes are long
 
     >>> import numpy as np
     >>> exits_of(np.array([0.6, 0.0, 0.8]), np.array([0.0, 0.0, 1.0]), np.zeros(3), np.full(3, 1.5)).sine.round(6)
@@ -159,8 +164,9 @@ def exits_of(view, n0, aside, r1):
     r1_cos_o2 = squared(r1) - widen(across_v)
     r1_cos_o = sqrt(r1_cos_o2)
     along = r1_cos_o * widen(2.0 * sqrt(1.0 - aside2)) + widen(2.0 * aside_v)
+    farther = along * widen(aside2) - widen(aside_v)
     # Apart, so that parallel boundaries share the roots.
-    by_tilt = along * (along * widen(aside2) - widen(2.0 * aside_v))
+    by_tilt = along * (farther - widen(aside_v))
     sine2 = widen(across_v) + by_tilt
     inverse_sine = power(maximum(sine2, LEAST_SINE2), -0.5)
     v_across = view - widen(n0_v) * n0
@@ -168,7 +174,14 @@ def exits_of(view, n0, aside, r1):
         n0_v=n0_v, across_v=across_v, v_across=v_across, across_d=v_across - widen(dot(along, MEAN)) * aside,
         r1_cos_o=r1_cos_o, r1_cos_w=sqrt(r1_cos_o2 - by_tilt), along=along,
         sine=sine2 * inverse_sine, sine2=sine2, inverse_sine=inverse_sine,
-        back=(widen(across_v) - along * widen(aside_v)) * inverse_sine,
+        **vars(_from_v(along, inverse_sine, farther, across_v, aside_v, aside2)))
+
+
+@part("From V")
+def _from_v(along, inverse_sine, farther, across_v, aside_v, aside2):
+    """Where V and the mirror direction are, seen from D: back, beyond and off_plane of :func:`exits_of`."""
+    return SimpleNamespace(
+        back=(widen(across_v) - along * widen(aside_v)) * inverse_sine, beyond=along * farther * inverse_sine,
         off_plane=squared(along * inverse_sine) * widen(across_v * aside2 - aside_v * aside_v))
 
 
@@ -220,7 +233,7 @@ def _deviation(e1):
 def outside(exits, within, r1, e1):
     """T's lobe outside about the mean of what leaves, in the plane of n0 and D, per channel ``(..., 3)``.
 
-    sine, cosine, tangent   of the mean's angle from n0
+    sine, cosine, tangent, over_cosine   of the mean's angle from n0, and 1 over its cosine
     r1_cosine_within        r1 times the cosine of the mean in the layer
     steep, flat             the deviation in the layer over that outside, and 1 over that
     variance                of what passes
@@ -233,8 +246,9 @@ def outside(exits, within, r1, e1):
     cosine, r1_cosine_within = cosine2 * over_cosine, r1_cosine2 * over_r1_cosine
     steep, tangent = cosine * over_r1_cosine, sine * over_cosine
     variance = squared(r1_cosine_within * over_cosine) * (squared(_deviation(e1)) * _wider(e1)) * within.kept
-    return SimpleNamespace(sine=sine, cosine=cosine, tangent=tangent, r1_cosine_within=r1_cosine_within, steep=steep,
-                           flat=r1_cosine_within * over_cosine, variance=variance, bent=tangent * variance)
+    return SimpleNamespace(sine=sine, cosine=cosine, tangent=tangent, over_cosine=over_cosine,
+                           r1_cosine_within=r1_cosine_within, steep=steep, flat=r1_cosine_within * over_cosine,
+                           variance=variance, bent=tangent * variance)
 
 
 def _wider(e1):
@@ -246,10 +260,11 @@ def _wider(e1):
 def interference(exits, within, outer, r1, d, wavelengths, f, e0, e1):
     """2 cos(2Φ) √(RT) as a lobe in the plane, per channel ``(..., 3)``.
 
-    albedo     half of ∫ 2 cos(2Φ) √(RT) (N.L) dω
-    place      of the mean of what T gets of it, from T's
-    ratio      its variance over T's
-    towards_r  share that R gets
+    albedo       half of ∫ 2 cos(2Φ) √(RT) (N.L) dω
+    place        of its mean, from T's
+    from_mirror  of T's mean, from the mirror direction
+    ratio        its variance over T's
+    towards_r    share that R is to get
     """
     from_mirror = outer.sine * widen(exits.n0_v) - outer.cosine * exits.back
     lobe = _lobe_between(exits, within, outer, from_mirror, r1, e0, e1)
@@ -259,7 +274,8 @@ def interference(exits, within, outer, r1, d, wavelengths, f, e0, e1):
     albedo = (within.albedo * cos(path * inner) * multiply_add(outer.tangent * outer.bent, X_RISE, 1.0)
               * exp(minimum(exponent, MOST_EXPONENT))
               * sqrt(_r_over_t(outer, within, lobe.place, f) * lobe.ratio * lobe.tall))
-    return SimpleNamespace(albedo=albedo, ratio=lobe.ratio, **vars(_towards_r(outer, lobe.place, from_mirror)))
+    return SimpleNamespace(albedo=albedo, place=lobe.place, from_mirror=from_mirror, ratio=lobe.ratio,
+                           towards_r=_towards_r(outer, lobe.place, from_mirror))
 
 
 @part("Lobe of the Interference")
@@ -288,10 +304,9 @@ def _r_over_t(outer, within, place, f):
 
 @part("Towards R")
 def _towards_r(outer, place, from_mirror):
-    """The share of the interference's lobe that R gets, and the place of the rest, so that the mean stays."""
+    """The share of the interference's lobe that R is to get."""
     reach = multiply_add(outer.variance, NEAR, squared(from_mirror))
-    towards_r = clip(place * from_mirror / reach * -1.0, 0.0, MOST_TO_R)
-    return SimpleNamespace(towards_r=towards_r, place=(place + towards_r * from_mirror) / (1.0 - towards_r))
+    return clip(place * from_mirror / reach * -1.0, 0.0, MOST_TO_R)
 
 
 @part("Dealt Out", "R", "T", "share", "pulled")
@@ -312,23 +327,50 @@ def dealt_out(r, t, between, towards_r, e0, e1, published):
     return maximum(r + both - by_t, 0.0), by_t, share, pulled
 
 
-@part("Moments", "mean", "variance", "skewed", "flat")
+@part("Left to T")
+def left_to_t(exits, outer, between, r1, e0, e1):
+    """What T gets of the interference as a lobe, so that the mean of the whole stays, per channel ``(..., 3)``.
+
+    place      of its mean in the plane, from T's
+    ratio      its variance over T's
+    aside      how far it is moved from T's along aside, for it lies off the plane as well, over how far the mirror
+               direction is from D
+    undone     what of that is in the plane, as an angle, for `place` has all that is
+    off_plane  squared distance of its mean from the plane
+    """
+    kept = 1.0 - between.towards_r
+    aside = OFF_PLANE * (1.0 - _off_plane_of_x(r1, e0, e1) / kept)
+    return SimpleNamespace(place=(between.place + between.towards_r * between.from_mirror) / kept, ratio=between.ratio,
+                           aside=aside, undone=aside * exits.beyond * outer.over_cosine,
+                           off_plane=squared(aside) * exits.off_plane)
+
+
+def _off_plane_of_x(r1, e0, e1):
+    """How far off the plane, over the mirror direction, T would have to stand for √(RT) to stand on it."""
+    return 1.0 / (squared(r1) * widen((e0 + 2.0) / (e1 + 2.0)) + 1.0)
+
+
+@part("Moments")
 def moments(outer, within, between, share, e1):
     """Of T with this share of interference in the plane, per channel ``(..., 3)``.
 
     mean      from T's
+    aside     how far the mean is from there along aside, as of :func:`left_to_t`
     variance
+    off_plane what the interference adds to the variance across the plane
     skewed    how far apart two lobes stand that are as lopsided
     flat      the square of how far apart two lobes stand whose top is as flat
     """
     narrower, mixed = outer.variance * between.ratio - outer.variance, share * (1.0 - share)
-    apart, apart2 = between.place, squared(between.place)
+    apart, apart2, moved = between.place, squared(between.place), share * MEAN_X
     variance = maximum(mix(share, outer.variance * between.ratio, outer.variance) + mixed * apart2,
                        LEAST_VARIANCE * outer.variance)
-    mean = multiply_add(share * MEAN_X, apart, within.bend * outer.bent)
+    mean = multiply_add(moved, apart + between.undone, within.bend * outer.bent)
     third = mixed * apart * multiply_add(1.0 - 2.0 * share, apart2, 3.0 * narrower)
-    return (mean, variance, _skewed(outer, within, third, variance, e1),
-            _flat(outer, within, mixed, narrower))
+    return SimpleNamespace(mean=mean, aside=moved * between.aside, variance=variance,
+                           off_plane=mixed * between.off_plane * SPREAD,
+                           skewed=_skewed(outer, within, third, variance, e1),
+                           flat=_flat(outer, within, mixed, narrower))
 
 
 @part("Skewed")
@@ -347,27 +389,28 @@ def _flat(outer, within, mixed, narrower):
 
 
 @part("Pair")
-def pair(exits, outer, mean, variance, skewed, flat, share, r1, e0, e1):
-    """The two lobes, per channel ``(..., 3)``: place in the plane, weight, roughness and anisotropy."""
-    both = maximum(multiply_add(skewed, skewed, flat), SMALLEST)
+def pair(exits, outer, moments, share, r1, e0, e1):
+    """The two lobes, per channel ``(..., 3)``: place in the plane and along aside, weight, roughness and anisotropy."""
+    mean, variance, skewed = moments.mean, moments.variance, moments.skewed
+    both = maximum(multiply_add(skewed, skewed, moments.flat), SMALLEST)
     apart2 = minimum(both, MOST_APART * variance)
     half_within = multiply_add(apart2, -0.125, 0.5 * variance)
     over_apart = power(apart2, -0.5)
     apart, lean = apart2 * over_apart, skewed * over_apart
     weight = multiply_add(lean, UNEVEN, 0.5)
     farther_place = mean + weight * apart
-    rough, round_ = _shape(exits, outer, half_within, share, r1, e0, e1)
+    rough, round_ = _shape(exits, outer, half_within, moments.off_plane, share, r1, e0, e1)
     farther, anisotropy = minimum(outer.tangent * apart, MOST_FARTHER), 1.0 - round_
     rougher = multiply_add(farther, B2, multiply_add(lean, B1, 1.0))
     rounder = multiply_add(farther, A2, multiply_add(lean, A1, 1.0))
-    return [SimpleNamespace(place=farther_place - apart, weight=weight, roughness=rough * (2.0 - rougher),
-                            anisotropy=mix(rounder, anisotropy, 1.0)),
-            SimpleNamespace(place=farther_place, weight=1.0 - weight, roughness=rough * rougher,
-                            anisotropy=mix(2.0 - rounder, anisotropy, 1.0))]
+    return [SimpleNamespace(place=farther_place - apart, aside=moments.aside, weight=weight,
+                            roughness=rough * (2.0 - rougher), anisotropy=mix(rounder, anisotropy, 1.0)),
+            SimpleNamespace(place=farther_place, aside=moments.aside, weight=1.0 - weight,
+                            roughness=rough * rougher, anisotropy=mix(2.0 - rounder, anisotropy, 1.0))]
 
 
 @part("Shape of a Lobe", "roughness", "roundness")
-def _shape(exits, outer, half_within, share, r1, e0, e1):
+def _shape(exits, outer, half_within, off_plane, share, r1, e0, e1):
     """Roughness of a lobe of twice this variance in the plane, and 1 - its anisotropy.
 
     The Beckmann slopes are √(variance/2) in the plane and across it √(variance across/(1 + V.L)), for normals stand
@@ -375,7 +418,7 @@ def _shape(exits, outer, half_within, share, r1, e0, e1):
     """
     across_t = squared(r1) / widen(e1 + 2.0)
     across_x = 2.0 / (widen(e0 + 2.0) + 1.0 / across_t)
-    across = maximum(mix(share, across_x, across_t), LEAST_VARIANCE * across_t)
+    across = maximum(mix(share, across_x, across_t) + off_plane, LEAST_VARIANCE * across_t)
     v_l = outer.cosine * widen(exits.n0_v) - outer.sine * exits.back
     slope2 = across / maximum(1.0 + v_l, LEAST_1_V_L)
     return power(half_within * slope2, 0.125), power(half_within / slope2, 0.25)
@@ -439,9 +482,9 @@ def light_of_the_layer(view, n0, aside, r1, d, wavelengths, e0, e1, published=0.
     mirrored = reflected(exits, f, e0)
     r, t, share, pulled = dealt_out(mirrored.albedo, within.albedo, between.albedo, between.towards_r, e0, e1,
                                     published)
-    shape = moments(outer, within, between, share, e1)
+    shape = moments(outer, within, left_to_t(exits, outer, between, r1, e0, e1), share, e1)
     return SimpleNamespace(exits=exits, outer=outer, mirrored=mirrored, r=r, t=t, pulled=_pull(exits, pulled),
-                           halves=pair(exits, outer, *shape, share, r1, e0, e1))
+                           halves=pair(exits, outer, shape, share, r1, e0, e1))
 
 
 @part("Pull")
@@ -486,7 +529,7 @@ def aim(exits, outer, half, albedo, r1):
     height = multiply_add(half.place, -1.0 * outer.sine, outer.cosine + widen(exits.n0_v))
     on_plane = multiply_add(half.place, outer.cosine, outer.sine) * exits.inverse_sine
     hidden = multiply_add(lookup(outer.cosine, KNOTS, HIDDEN), squared(r1) - HIDES, 1.0)
-    return SimpleNamespace(on_v=(1.0 - on_plane) / height, on_aside=on_plane * exits.along / height,
+    return SimpleNamespace(on_v=(1.0 - on_plane) / height, on_aside=(on_plane - half.aside) * exits.along / height,
                            colour=albedo * hidden * half.weight)
 
 
