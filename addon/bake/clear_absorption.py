@@ -19,11 +19,14 @@ NOTHING = 1e-9
 FARTHEST = 1e4
 """m: what lets half the light through from farther away is clear."""
 
-ROUNDS, PATIENCE = 50, 20
-"""Of weighing up what is farthest off: at most, and how many that better nothing end it."""
+ROUNDS, FIRST_STEPS, STEPS = 6, 30, 12
+"""Of weighing up what is farthest off, and of the least squares in the first round and in each later one."""
 
-FIRST_STEPS, STEPS = 30, 12
-"""Of the least squares, in the first round and in each later one, which starts near its end."""
+POWERS, STEPS_A_POWER = (8, 16, 32, 64, 128, 256), 20
+"""Whose sums are made least one after the other: the higher, the more it is the largest alone that counts."""
+
+FARTHEST_OFF = 10.0
+"""Errors over the largest at hand, in those powers: what is farther off is a step that is not taken."""
 
 NUDGES = 1e-4 * np.concatenate([np.zeros((1, 3)), np.eye(3)])
 """Of ln σ, ``(4, 3)``: none, and one a channel, for the slopes."""
@@ -64,8 +67,9 @@ def attenuation_of(alpha, viewing):
     viewing  an addon.bake.reflected.Viewing
 
     Colours are relative to the light that enters, and brought into the gamut at constant dominant wavelength, which is
-    continuous over depths.  σ has the least largest CIEDE2000: least squares, with what is
-    farthest off weighed up round by round (Lawson 1961).
+    continuous over depths.  σ has the least largest CIEDE2000: least squares, with what is farthest off weighed up
+    round by round (Lawson 1961), which comes past the kinks of CIEDE2000; then least sums of ever higher powers
+    (Pólya 1913), which end in the same place whatever the last bits were.
     """
     if alpha.max() < NOTHING:
         return CLEAR
@@ -99,18 +103,32 @@ def _least_largest(difference, start):
 
     difference  of ln σ ``(..., 3)``: ``(..., depths)``
     """
-    fit = _Fit(difference, start)
-    weights, best, since = np.full(len(DEPTHS), 1.0 / len(DEPTHS)), (np.inf, start), 0
+    fit = best = _Fit(difference, start)
+    weights = np.full(len(DEPTHS), 1.0 / len(DEPTHS))
     for turn in range(ROUNDS):
-        fit = _least_squares(fit, np.sqrt(weights), STEPS if turn else FIRST_STEPS)
-        largest = float(fit.errors.max())
-        since = 0 if largest < best[0] - 1e-3 else since + 1
-        best = min(best, (largest, fit.at), key=lambda pair: pair[0])
-        if since > PATIENCE:
-            break
+        fit = _least_squares(fit, _weighted(np.sqrt(weights)), STEPS if turn else FIRST_STEPS)
+        best = min(best, fit, key=_Fit.largest)
         weights = weights * (fit.errors + 1e-6)
         weights /= weights.sum()
-    return np.exp(best[1]), best[0]
+    fit = best
+    for power in POWERS:
+        fit = _least_squares(fit, _half_power(power, fit.largest()), STEPS_A_POWER)
+        best = min(best, fit, key=_Fit.largest)
+    return np.exp(best.at), best.largest()
+
+
+def _weighted(weights):
+    """The errors times weights; as :func:`_half_power`."""
+    return lambda errors: (weights * errors, weights)
+
+
+def _half_power(power, scale):
+    """A function of errors ``(D,)``: (what is to be squared, its slopes), the errors over a scale to half a power."""
+    def shape(errors):
+        shares = np.minimum(errors / scale, FARTHEST_OFF)
+        root = shares ** (0.5 * power - 1.0)
+        return root * shares, 0.5 * power / scale * root
+    return shape
 
 
 class _Fit:
@@ -121,16 +139,21 @@ class _Fit:
         self.difference, self.at, self.errors = difference, at, found[0]
         self.slopes = (found[1:] - found[0]).T / NUDGES.max()
 
+    def largest(self):
+        """The largest difference."""
+        return float(self.errors.max())
 
-def _least_squares(fit, weights, steps):
-    """The _Fit of least weighted squares: Levenberg and Marquardt on three unknowns."""
+
+def _least_squares(fit, shape, steps):
+    """The _Fit of least squares of the shape of its errors: Levenberg and Marquardt on three unknowns."""
     damping = 1e-2
     for _ in range(steps):
-        slope, found = weights[:, None] * fit.slopes, weights * fit.errors
+        found, steep = shape(fit.errors)
+        slope = steep[:, None] * fit.slopes
         normal = slope.T @ slope
         step = np.linalg.solve(normal + damping * np.diag(np.diag(normal) + 1e-9), slope.T @ found)
         new = _Fit(fit.difference, fit.at - np.clip(step, -1.0, 1.0))
-        gain = found @ found - np.sum((weights * new.errors) ** 2)
+        gain = found @ found - np.sum(shape(new.errors)[0] ** 2)
         if gain > 0.0:
             fit, damping = new, max(0.25 * damping, 1e-6)
             if gain < 1e-4 * (found @ found):

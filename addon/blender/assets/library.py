@@ -1,24 +1,27 @@
 """The asset library in the preferences: added by the first click on the picker, and taken off on request."""
 
+import os
 from pathlib import Path
 
 import bpy
 
 from .. import compat
 
-__all__ = ["FILE", "FOLDER", "NAME", "add", "detach", "is_shown", "ours", "remove"]
+__all__ = ["FILE", "FOLDER", "NAME", "OURS", "add", "detach", "is_shown", "ours", "remove"]
 
 NAME = "Facet & Film"
 FOLDER = Path(__file__).parents[3] / "node_groups" / "assets"
 FILE = FOLDER / "facet_film_assets.blend"
 """Every preset and node group, as tools/build_assets.py makes it: n and k are for the exact conductor Fresnel."""
+OURS = str(FILE)
+_INSIDE = os.path.join(FOLDER.parent, "")
 
 
 def ours():
     """The entries of the preferences that point into this extension."""
     libraries = bpy.context.preferences.filepaths.asset_libraries
     return [library for library in libraries
-            if library.path and FOLDER.parent in Path(bpy.path.abspath(library.path)).parents]
+            if os.path.normpath(bpy.path.abspath(library.path)).startswith(_INSIDE)]
 
 
 def is_shown():

@@ -68,12 +68,13 @@ def fingerprint(tree, known=None):
     for node in tree.nodes:
         if node.bl_idname != "NodeFrame":
             digest.update(repr(_of_node(node, known)).encode())
-    waiting = {(node.name, fed): source for node in tree.nodes for fed, source in deferred(node).items()}
+    waiting = {f"{node.name}.{fed}": ".".join(source) for node in tree.nodes for fed, source in deferred(node).items()}
     for link in tree.links:
-        if (link.to_node.name, link.to_socket.identifier) not in waiting:
-            digest.update(_of_link(link).encode())
-    for (name, fed), source in sorted(waiting.items()):
-        digest.update(f"{'.'.join(source)}>{name}.{fed}".encode())
+        source, fed = _ends(link)
+        if fed not in waiting:
+            digest.update(f"{source}>{fed}".encode())
+    for fed, source in sorted(waiting.items()):
+        digest.update(f"{source}>{fed}".encode())
     return digest.hexdigest()[:16]
 
 
@@ -107,8 +108,8 @@ def _valued(node):
     """The inputs of a node whose own value counts."""
     waiting = deferred(node)
     return [socket for socket in node.inputs
-            if not socket.is_linked and socket.identifier not in waiting and hasattr(socket, "default_value")
-            and not compat.is_unused_newcomer(socket)]
+            if not socket.is_linked and hasattr(socket, "default_value") and not compat.is_unused_newcomer(socket)
+            and not (waiting and socket.identifier in waiting)]
 
 
 def _shown(value):
@@ -123,8 +124,9 @@ def _settled(x):
     return near if abs(x - near) < SETTLED else x
 
 
-def _of_link(link):
-    return (f"{link.from_node.name}.{link.from_socket.identifier}>"
+def _ends(link):
+    """Where a link comes from, and what it feeds."""
+    return (f"{link.from_node.name}.{link.from_socket.identifier}",
             f"{link.to_node.name}.{link.to_socket.identifier}")
 
 
@@ -140,5 +142,5 @@ def fingerprint_0_1_0(tree):
         for socket in _valued(node):
             digest.update(f"{socket.identifier}{_shown(socket.default_value)}".encode())
     for link in tree.links:
-        digest.update(_of_link(link).encode())
+        digest.update(">".join(_ends(link)).encode())
     return digest.hexdigest()[:16]

@@ -3,7 +3,7 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from ..assets import library
+from .. import assets
 
 __all__ = ["CLASSES"]
 
@@ -17,16 +17,16 @@ class FACET_FILM_OT_add_asset_library(bpy.types.Operator):
     @classmethod
     def poll(cls, _context):
         """Off where it is there already."""
-        if library.is_shown():
+        if assets.library.is_shown():
             cls.poll_message_set(rpt_("The library is in your preferences already"))
             return False
         return True
 
     def execute(self, _context):
         """Point the preferences at the folder that came with the extension."""
-        library.add()
+        assets.library.add()
         said = rpt_("Open an Asset Browser and choose the library {:s}: drag a material onto an object")
-        self.report({"INFO"}, said.format(library.NAME))
+        self.report({"INFO"}, said.format(assets.library.NAME))
         return {"FINISHED"}
 
 
@@ -39,15 +39,15 @@ class FACET_FILM_OT_remove_asset_library(bpy.types.Operator):
     @classmethod
     def poll(cls, _context):
         """Off where it is not there."""
-        if not library.is_shown():
+        if not assets.library.is_shown():
             cls.poll_message_set(rpt_("The library is not in the preferences"))
             return False
         return True
 
     def execute(self, _context):
         """Take off or switch off every entry that points into this extension."""
-        library.remove()
-        self.report({"INFO"}, rpt_("The library {:s} is no longer shown").format(library.NAME))
+        assets.library.remove()
+        self.report({"INFO"}, rpt_("The library {:s} is no longer shown").format(assets.library.NAME))
         return {"FINISHED"}
 
 

@@ -3,7 +3,7 @@
 import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 
-from ..assets import library
+from .. import assets
 from ..panels.shelves import PICKER, SHELF
 from .targets import OnObjects
 
@@ -55,9 +55,9 @@ class FACET_FILM_OT_shelf(bpy.types.Operator):
 
 def show_library(operator):
     """Add the library to the preferences unless it is there, and say so."""
-    if library.add():
+    if assets.library.add():
         said = rpt_("The asset library {:s} was added to your preferences; the extension's own take it out again")
-        operator.report({"INFO"}, said.format(library.NAME))
+        operator.report({"INFO"}, said.format(assets.library.NAME))
 
 
 def views(context):

@@ -5,8 +5,7 @@ and wherever else one looks for a material.
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
-from .. import datablocks, panels
-from ..assets import library
+from .. import assets, datablocks, panels
 from ..operators.finish import shown_finish
 from ..operators.targets import active_material
 from .shelves import PICKER
@@ -24,7 +23,7 @@ def draw_card(layout, context):
     from .load_ahead import when_idle
     when_idle()
     material = active_material(context)
-    shown = library.is_shown()
+    shown = assets.library.is_shown()
     split = layout.split(factor=PICTURE_SHARE)
     split.use_property_split = False
     _draw_picture(split.column(), material, shown)

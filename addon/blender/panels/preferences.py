@@ -5,7 +5,7 @@ from pathlib import Path
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
-from ..assets import library
+from .. import assets
 from ..settings import DEFAULTS, PACKAGE, finish_property, realisation_property
 
 __all__ = ["CLASSES"]
@@ -45,7 +45,7 @@ class FacetFilmPreferences(bpy.types.AddonPreferences):
         self._draw_verification(layout.column())
 
     def _draw_library(self, column):
-        if library.is_shown():
+        if assets.library.is_shown():
             column.operator("facet_film.remove_asset_library", icon="REMOVE")
         else:
             column.operator("facet_film.add_asset_library", icon="ASSET_MANAGER")

@@ -2,14 +2,12 @@
 
 import bpy
 
-from .. import compat
-from ..assets.library import FILE
+from .. import assets, compat
 from ..operators.targets import TO
 
 __all__ = ["CLASSES", "PICKER", "SHELF"]
 
 PICKER, SHELF = "FACET_FILM_AST_picker", "FACET_FILM_AST_view3d"
-OURS = str(FILE)
 
 
 class _Shelf:
@@ -27,14 +25,14 @@ class _Shelf:
 
         Its full_path begins with the library's, and costs a twentieth of asking for that alone.
         """
-        return asset.id_type == "MATERIAL" and asset.full_path.startswith(OURS)
+        return asset.id_type == "MATERIAL" and asset.full_path.startswith(assets.library.OURS)
 
     @classmethod
     def draw_context_menu(cls, _context, asset, layout):
         """The other places that a material can go to."""
         for to, title, _ in TO[1:]:
             operator = layout.operator("facet_film.apply", text=title)
-            operator.relative_asset_identifier = f"{FILE.name}/Material/{asset.name}"
+            operator.relative_asset_identifier = f"{assets.library.FILE.name}/Material/{asset.name}"
             operator.to = to
 
 

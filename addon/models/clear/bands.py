@@ -30,9 +30,11 @@ def _tables():
 
 
 def _inverse(density, numbers):
-    """Wavelengths in µm at which a density's integral is these numbers."""
-    edges = np.append(observers.WAVELENGTH_NM - 0.5, observers.WAVELENGTH_NM[-1] + 0.5)
-    return np.interp(numbers, np.append(0.0, np.cumsum(density)), edges) / 1e3
+    """Wavelengths in µm at which a density's integral is these numbers, from where it begins to where it ends."""
+    first, *_, last = np.flatnonzero(density)
+    begins = observers.WAVELENGTH_NM[first:last + 1] - 0.5
+    integral = np.append(0.0, np.cumsum(density[first:last + 1]))
+    return np.interp(numbers, integral / integral[-1], np.append(begins, begins[-1] + 1.0)) / 1e3
 
 
 def wavelength_of(u):
@@ -49,6 +51,8 @@ def wavelength_of_channel(u, channel):
 
     >>> [round(float(wavelength_of_channel(0.5, channel)), 2) for channel in range(3)]
     [0.61, 0.54, 0.45]
+    >>> [round(float(wavelength_of_channel(1.0, channel)), 2) for channel in range(3)]
+    [0.78, 0.61, 0.51]
     """
     return lookup(u, KNOTS, _inverse(_tables()[0][:, channel], KNOTS))
 
