@@ -16,13 +16,14 @@ SKIPPED, SEEKABLE = 0x184D2A5E, 0x8F92EAB1
 """Numbers of Zstandard's format: of a frame that is no data, and of a table of frames."""
 
 
-def write(file, datablocks):
-    """Write datablocks and what they use, all with a user."""
+def write(file, datablocks, loosely=False):
+    """Write datablocks and what they use, all with a user; loosely as Blender writes, which is read the soonest."""
     import bpy
     with tempfile.TemporaryDirectory() as scratch:
         loose = Path(scratch) / file.name
         bpy.data.libraries.write(str(loose), datablocks, fake_user=True)
-        file.write_bytes(packed(loose.read_bytes()))
+        raw = loose.read_bytes()
+        file.write_bytes(raw if loosely else packed(raw))
 
 
 def packed(raw):

@@ -242,8 +242,9 @@ FORMULAS = {
         fresnel.tinted, grid((0.2, 0.9, 1.5, 3.0), (0.0, 1.0, 2.0, 4.0), (0.0, 0.3, 0.9, 1.0))),
     "of_slope(float, float, float, float)": (
         of_slope, grid(SLOPES, (-2.0, 0.5), (-3.0, 1.0), (0.0, 2.0))),
-    "v_cavity_lobe(float, float, output float, output float, output float)": (
-        v_cavity_lobe, grid((0.0, 0.3, 0.7, 0.9, 1.0), SLOPES)),
+    "v_cavity_lobe(float, float, float, output float, output float, output float)": (
+        lambda sine, m, steepest: v_cavity_lobe(sine, m, steepest=steepest),
+        grid((0.0, 0.3, 0.7, 0.9, 1.0), SLOPES, (0.05, 0.15, 0.3, 0.5))),
     "unit_tangent(vector, vector, float)": (unit_tangent, towards_and_turns()),
     "scale_of(float, float, int, float, float)": (
         scale_of, grid(SLOPES, (0.2, 0.5), UNIT, (0.0, 0.5, 1.0), (1.0, 3.0))),

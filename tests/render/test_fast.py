@@ -12,6 +12,7 @@ from addon.operands import rotate
 from addon.reflectance import fresnel, masking
 from addon.reflectance.directions import around_z, cosines, half_vector
 from addon.reflectance.slopes import along_across, elliptic_beckmann
+from tests.bench.bench_cook_torrance import by_hand
 from tests.render import cook_torrance_scenes as scenes
 from tests.render import probes
 
@@ -188,6 +189,17 @@ def test_the_check_fails_when_a_term_is_broken(rough_copper, term):
     broken, _ = formula(towards, **{"closures": {}, "slopes": ((0.4, 1.0),), **BROKEN[term]})
     assert agrees(picture, whole, mask)
     assert not agrees(picture, broken, mask)
+
+
+def test_a_smooth_metal_is_the_native_closure_alone():
+    """Up to m = 0.1 nothing follows N·V; above it something does."""
+    def largest_difference(m):
+        ours, _ = rendered(slopes=((m, 1.0),), **scenes.COPPER)
+        scene = probes.empty_scene(RESOLUTION, pixel_centres=True)
+        probes.add_sphere(by_hand(((m, 1.0),)))
+        probes.add_sun(scene, SUN_ANGLE)
+        return np.abs(ours - probes.render(scene)).max()
+    assert largest_difference(0.1) < 1e-6 < 1e-4 < largest_difference(0.16)
 
 
 @pytest.mark.parametrize("m", [0.05, 0.2, 0.4, 0.6])

@@ -71,7 +71,7 @@ def _slope(builder, m, half_specular, w, gaussian, published, gaussian_c, seen, 
     surface  {socket: operand} of the Metallic BSDFs
     """
     anisotropy = surface["Anisotropy"]
-    roughness, weight, leaning = v_cavity_lobe(seen.sine, m * seen.stretch, sqrt(m), seen.free)
+    roughness, weight, leaning = v_cavity_lobe(seen.sine, m * seen.stretch, sqrt(m), seen.free, m * seen.steepest)
     surface = {**surface, "Anisotropy": anisotropy + leaning}
     share = (half_specular * w) * weight  # outside of the lobe, so that a slope without weight folds away
     share_gaussian = share * gaussian_share(m, gaussian, published, gaussian_c, anisotropy)
