@@ -142,7 +142,8 @@ def interface(other):
             return subprocess.run([other, *arguments], cwd=ROOT, env=dict(os.environ), capture_output=True, text=True,
                                   check=True).stdout
         version_string = said("-c", "import bpy; print('is', bpy.app.version_string)").split("is ")[1].strip()
-        found[version_string] = json.loads(said(bench_interface.__file__, "--json"))
+        after = said(bench_interface.__file__, "--json").split("measured ")[1]
+        found[version_string] = json.loads(after.splitlines()[0])
     return found
 
 

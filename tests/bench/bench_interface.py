@@ -87,10 +87,11 @@ def main():
     """Measure, print, and fail above a bar."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=5)
-    parser.add_argument("--json", action="store_true", help="for machines")
+    parser.add_argument("--json", action="store_true",
+                        help="for machines: one line, after what building the zip says")
     options = parser.parse_args()
     found = measure(options.runs)
-    print(json.dumps(found) if options.json else table(found))
+    print(f"measured {json.dumps(found)}" if options.json else table(found))
     sys.exit(bool(exceeded(found)) and not options.json)
 
 
