@@ -14,14 +14,21 @@ FOLDER = Path(__file__).parents[3] / "node_groups" / "assets"
 FILE = FOLDER / "facet_film_assets.blend"
 """Every preset and node group, as tools/build_assets.py makes it: n and k are for the exact conductor Fresnel."""
 OURS = str(FILE)
-_INSIDE = os.path.join(FOLDER.parent, "")
+"""What the full path of each asset of ours begins with."""
+
+
+def _plain(path):
+    return os.path.normcase(os.path.normpath(path))
+
+
+_INSIDE = os.path.join(_plain(FOLDER.parent), "")
 
 
 def ours():
     """The entries of the preferences that point into this extension."""
     libraries = bpy.context.preferences.filepaths.asset_libraries
     return [library for library in libraries
-            if os.path.normpath(bpy.path.abspath(library.path)).startswith(_INSIDE)]
+            if _plain(bpy.path.abspath(library.path)).startswith(_INSIDE)]
 
 
 def is_shown():
