@@ -2,19 +2,10 @@
 
 import numpy as np
 
-__all__ = ["MOST", "lit", "salt"]
+__all__ = ["MOST", "salt"]
 
 MOST = 8.0
 """Local standard deviations by which a pixel may exceed what it converges to."""
-
-LEAST_LIGHT = 1e-4
-"""Of the brightest pixel: what has less is black on any display, where one hit in thousands is no speck."""
-
-
-def lit(pictures, mask):
-    """Which pixels of the mask have light enough to show, ``(height, width)``; pictures ``(seeds, height, width)``."""
-    mean = pictures.mean(axis=0)
-    return mask & (mean > LEAST_LIGHT * mean.max())
 
 
 def salt(pictures, mask):

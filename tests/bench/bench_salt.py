@@ -1,10 +1,9 @@
 """Salt and noise of copper by Cook-Torrance Reference under small suns: python -m tests.bench.bench_salt
 
 Of the default finish, the 1982 one and brushed copper, at 256 samples: by how many local standard deviations the worst
-pixel of several seeds exceeds what it converges to, of all and of those that have at least 1e-4 of the brightest one's
-light, below which no display tells a pixel from black; the noise, the rms deviation of a pixel between seeds over the
-mean; and the time over Standard's. With an earlier checkout, which has a Python of its own at .venv, also the noise at
-equal time over the one there:
+pixel of several seeds exceeds what it converges to; the noise, the rms deviation of a pixel between seeds over the mean;
+and the time over Standard's. With an earlier checkout, which has a Python of its own at .venv, also the noise at equal
+time over the one there:
 
     python -m tests.bench.bench_salt --against CHECKOUT
 
@@ -84,14 +83,14 @@ def earlier(checkout, folder, finishes, diameters):
 
 def report(finish, diameter, found):
     """A line for each realisation."""
-    from tests.salt import lit, salt  # which an earlier checkout need not have
+    from tests.salt import salt  # which an earlier checkout need not have
     mask = probes.pixel_normals(RESOLUTION)[1]
     figures = {name: (noise(pictures, mask), seconds) for (f, name, d), (pictures, seconds) in found.items()
                if (f, d) == (finish, diameter)}
     for name, (deviation, seconds) in figures.items():
         pictures = found[finish, name, diameter][0]
-        line = (f"{finish:15} {diameter:4} {name:8} worst {salt(pictures, mask).max():6.1f}, of those lit "
-                f"{salt(pictures, lit(pictures, mask)).max():6.1f}  noise {deviation:7.4f}")
+        line = (f"{finish:15} {diameter:4} {name:8} worst {salt(pictures, mask).max():6.1f}  "
+                f"noise {deviation:7.4f}")
         if "fast" in figures:
             line += f"  time {seconds / figures['fast'][1]:5.2f}"
         if "earlier" in figures:

@@ -161,8 +161,8 @@ def metals(count):
 
 
 def drawn_slope(of_slopes, weights, u):
-    """The slope that u draws, of four."""
-    return sampling.chosen(u, list(weights.T), list(of_slopes.T))[0]
+    """The slope that u draws, of four, and its weight."""
+    return sampler.drawn_slope(u, list(of_slopes.T), list(weights.T))
 
 
 def lists_of_four(count=60):
@@ -258,7 +258,7 @@ FORMULAS = {
     "f82(float, color, color)": (
         lambda c, f0, tint: fresnel.f82(column(c), f0, tint), [*spread(60, UNIT), *colours(60, UNIT, UNIT)]),
     "f82_tint(color, vector, vector)": (lambda f0, n, k: sampler.native_fresnel(n, k)[1], metals_and_f0()),
-    "drawn_slope(float[4], float[4], float)": (drawn_slope, lists_of_four()),
+    "drawn_slope(float[4], float[4], float, output float, output float)": (drawn_slope, lists_of_four()),
     "narrow_slope(float, float)": (sampling.narrow_slope, grid(SLOPES, SHARES)),
     "wide_slope(float, float)": (sampling.wide_slope, grid(SLOPES, SHARES)),
     "towards_flanks(float, float, output float, output float)": (

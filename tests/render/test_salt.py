@@ -8,7 +8,7 @@ from addon.blender.datablocks import groups
 from addon.models.cook_torrance import exact
 from tests.render import cook_torrance_scenes as scenes
 from tests.render import probes
-from tests.salt import MOST, lit, salt
+from tests.salt import MOST, salt
 
 RESOLUTION = {"default": 16, "1982": 24, "brushed": 16}
 """The rougher, the rarer are the facets that a lamp lights, and the more samples find a speck."""
@@ -24,7 +24,7 @@ def worst_pixel(finish, diameter, realisation="exact"):
     probes.add_sphere(api.create_material(preset="copper", realisation=realisation, **FINISHES[finish]), 64)
     probes.add_sun(scene, np.radians(45.0), diameter=np.radians(diameter))
     pictures = probes.render_seeds(scene, SEEDS)[..., :3].mean(axis=-1)
-    return salt(pictures, lit(pictures, probes.pixel_normals(RESOLUTION[finish])[1])).max()
+    return salt(pictures, probes.pixel_normals(RESOLUTION[finish])[1]).max()
 
 
 def test_a_speck_is_found():

@@ -29,13 +29,13 @@ def reference(v, l, m, look):
     rho = np.hypot(h[:, 0], h[:, 1]) / h[:, 2]
     sx, sy, area = slopes_about(h, a, np.maximum(a, wide * np.minimum(2.5 * rho / m, 1.0)))
     kept = np.exp(-(sx**2 + sy**2) / m2_drawn)
-    u_tilt = np.sqrt(kept)  # towards the flanks, at a bias of 1
+    u_tilt = np.cbrt(kept)  # towards the flanks, at a bias of 1
     x = sampler.facet(UP, v, m, a, wide, sampler.FLANKS, 0.0, u_tilt, np.mod(np.arctan2(-sx, sy) / (2 * np.pi), 1.0),
                       0.0)
     v_h = (sx * v[0] + sy * v[1] + v[2]) / np.sqrt(1 + sx**2 + sy**2)
     other = 2 * v[2] / np.sqrt(1 + sx**2 + sy**2) - v_h
     picked = 2 * np.maximum(v_h, 0) / np.maximum(np.maximum(v_h, 0) + np.maximum(other, 0), 1e-12)
-    density = kept / (np.pi * m2_drawn) / (2 * np.maximum(u_tilt, 1e-12)) * picked
+    density = kept / (np.pi * m2_drawn) / (3 * np.maximum(u_tilt, 1e-12) ** 2) * picked
     under = floor * (sampler.HEADROOM * share * sampler.native_over_d(x, m, lean))[..., None]
     left = np.maximum(look(np.clip(x.v_h, 0.0, 1.0)) * sampler.sharpened_v_cavity(x)[..., None] - under, 0.0)
     lobe = narrow_lobe(x, v, l[:, None, None, :], h[:, None, None, :]) * (v_h > 0.0) * x.density

@@ -15,13 +15,14 @@ from types import SimpleNamespace
 from ...operands import dot, less, part, rotate, sqrt, where, widen
 from ...reflectance.directions import PI, facing
 from ...reflectance.fresnel import f82_factor, tinted
-from ...reflectance.sampling import chosen, narrow_slope, wide_slope
+from ...reflectance.sampling import narrow_slope, wide_slope
 from ...reflectance.slopes import along_across
 from ..parameters import add_inputs
 from .parameters import TABLE, slope_operands
 from .sampler import (
     FLANKS,
     HEADROOM,
+    drawn_slope,
     facet,
     facet_weight,
     kept,
@@ -108,12 +109,12 @@ def _native_lobes(builder, slopes, specular, has_native, scale, surface, index):
 
 @part("Drawn Slope")
 def _chosen_slope(builder, u, slopes, n_v, width, anisotropy):
-    """One of the slopes drawn by weight, with what its lobes need, by name; and the weight of all."""
+    """One of the slopes, with what its lobes need and what it weighs for all, by name."""
     slopes, weights = zip(*[(slope.m, slope.w) for slope in slopes])
     shares, leans = zip(*[_native_share(n_v, m, anisotropy) for m in slopes])
     narrow, wide = zip(*[_lobe_slopes(m, width, anisotropy) for m in slopes])
-    m, share, lean, narrow, wide = chosen(u, weights, slopes, shares, leans, narrow, wide)
-    return SimpleNamespace(m=m, share=share, lean=lean, narrow=narrow, wide=wide, weight=sum(weights[1:], weights[0]))
+    m, weight, share, lean, narrow, wide = drawn_slope(u, slopes, weights, shares, leans, narrow, wide)
+    return SimpleNamespace(m=m, share=share, lean=lean, narrow=narrow, wide=wide, weight=weight)
 
 
 @part("Share under the Lobe", "share", "lean")

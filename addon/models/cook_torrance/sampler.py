@@ -45,11 +45,11 @@ from ...operands import (
 from ...reflectance.directions import PI, frame_along, tangent_of
 from ...reflectance.fresnel import COS_THETA_82, conductor, f82_tint_of, f82_unclamped
 from ...reflectance.masking import smith_lambda_of_slope
-from ...reflectance.sampling import narrowed, squared_tilt, towards_flanks
+from ...reflectance.sampling import chosen, narrowed, squared_tilt, towards_flanks
 from ...reflectance.slopes import along_across, elliptic_gaussian_c, gaussian_c
 
-__all__ = ["native_slope", "native_lobe", "kept", "native_fresnel", "scales", "native_scale", "stretched", "facet",
-           "native_over_d", "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
+__all__ = ["native_slope", "native_lobe", "drawn_slope", "kept", "native_fresnel", "scales", "native_scale",
+           "stretched", "facet", "native_over_d", "sharpened_v_cavity", "facet_weight", "HEADROOM", "FLANKS"]
 
 SMALLEST = 1e-6
 SMALLEST_LEVEL = 1e-3
@@ -124,6 +124,23 @@ def _native_lean(x, m):
     lean_far = far * x + (-far) * (0.19 + 0.058 / m)
     lean_near = (-near) * x + 3.1 * near
     return clip(minimum(lean_far, lean_near), 0.0, m * (0.21 - 0.19 * m))
+
+
+def drawn_slope(u, slopes, weights, *values):
+    """One of the slopes m of weights w, drawn by w m, and its weight Σ w m/m; then the entries of the value lists.
+
+    u  even in [0, 1)
+
+    Not drawn by w alone: what the native lobe leaves lies farther out on the
+    rougher lobes, where drawn facets are rarer and each shows more.
+
+    >>> m, weight, first = drawn_slope(0.5, [0.4, 0.2], [0.4, 0.6], [1.0, 2.0])
+    >>> float(m), round(float(weight), 6), float(first)
+    (0.4, 0.7, 1.0)
+    """
+    odds = [w * m for m, w in zip(slopes, weights)]
+    m, *found = chosen(u, odds, slopes, *values)
+    return m, sum(odds[1:], odds[0]) / m, *found
 
 
 @part("Roulette")
