@@ -1,9 +1,9 @@
 """Salt and noise of copper by Cook-Torrance Reference under small suns: python -m tests.bench.bench_salt
 
 Of the default finish, the 1982 one and brushed copper, at 256 samples: by how many local standard deviations the worst
-pixel of several seeds exceeds what it converges to; the noise, the rms deviation of a pixel between seeds over the mean;
-and the time over Standard's. With an earlier checkout, which has a Python of its own at .venv, also the noise at equal
-time over the one there:
+pixel of several seeds exceeds what it converges to; the noise, the rms deviation of a pixel between seeds over the
+mean; and the time over Standard's. With an earlier checkout, which has a Python of its own at .venv, also the noise
+at equal time over the one there:
 
     python -m tests.bench.bench_salt --against CHECKOUT
 
