@@ -50,7 +50,7 @@ MODEL = Model(
     citation='X. Granier, W. Heidrich, "A Simple Layered RGB BRDF Model", Graphical Models 65(4), 2003',
     parameters=LayeredRGB,
     groups=(
-        Group("layered_rgb_fast", "Layered RGB Standard", 6, "fast.build",
+        Group("layered_rgb_fast", "Layered RGB Standard", 7, "fast.build",
               "A thin layer after Granier and Heidrich, clean and fast, in Cycles and in EEVEE: the one to take first"),
         Group("layered_rgb_exact", "Layered RGB Reference", 4, "exact.build",
               "The published formula of Granier and Heidrich 2003 itself: slower and noisier, to compare with",

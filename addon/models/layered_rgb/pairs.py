@@ -26,10 +26,9 @@ where deviated light goes back to where it came from, V is the lobe's normal.
 Deviation is 0 and Lower Normal is not plugged in, it is a constant 0, and the renderer folds away what it multiplies.
 
 **The constants** are a least-squares fit to quadrature of the formula: of the closures' albedo up to 75°, of the
-colours' up to 80°, of the peaks in the plane of V and n0 up to 70°, and of the means of six rings of a sphere under
-suns of 0° to 75°; for the layers of the paper's figures 3 and 5, 15 to 400 nm thick, in the rings 15 to 170, parallel
-and deviated by 5°, 10° and 14°.  Rings of nacre (indices 1.53 to 1.58, exponents 60 and 30) and of oil (1.46 to 1.49,
-500 and 350) and albedos of indices from 1.1 to 2.4 count for less.
+colours' up to 80°, of the peaks in the plane of V and n0 up to 70°, and of the means over circles of normals about V,
+4° to 70° from it, under suns of 0° to 82°; for the layers of the paper's figures 3 and 5, 15 to 400 nm thick, on the
+circles 15 to 170, parallel and deviated by 5°, 10° and 14°.
 
 The energy scale's (e + 2)/(2π) is in the albedos; the published scale takes it off again.
 
@@ -100,37 +99,37 @@ R_MORE = R_CUTS * R_SHARE + R_DENSITY - R_CUTS
 """Mean cosine of a lobe that the horizon cuts off at z deviations less its axis's, in deviations."""
 R_LOST = 1.0 / R_SHARE
 
-EDGE_STEPS, LATE = (0.0096, 0.1025), 0.1515
-EDGE_CURVE, EDGE_LEAN, EDGE_BEND = 0.6221, 1.3552, 0.3419
+EDGE_STEPS, LATE = (0.0116, 0.1251), 0.1113
+EDGE_CURVE, EDGE_LEAN, EDGE_BEND = 0.4798, 1.1088, 0.2783
 """Where total reflection cuts T off: inside the edge (1 - F) rises to 1 in two steps, at these offsets over √(r1²-1),
 LATE of it by the second; the edge bends away from a lobe of deviation σ by EDGE_CURVE σ² √(r1²-1)."""
-SHIFTED = SHIFT * (1.0 + -0.197 * CUT_OFF + 0.2228 * CUT_OFF ** 2)
-KEPT_BY_FIT = KEPT * (1.0 + 0.7384 * CUT_OFF + -0.8472 * CUT_OFF ** 2)
-BEND = 0.3262 + 0.4252 * CUT_OFF + -1.0974 * CUT_OFF ** 2
-SKEW_BY_EDGE = 1.9024 * CUT_OFF + 1.1824 * CUT_OFF ** 2
+SHIFTED = SHIFT * (1.0 + -0.2588 * CUT_OFF + 0.2007 * CUT_OFF ** 2)
+KEPT_BY_FIT = KEPT * (1.0 + 0.831 * CUT_OFF + -0.9944 * CUT_OFF ** 2)
+BEND = 0.2882 + 0.5303 * CUT_OFF + -1.3088 * CUT_OFF ** 2
+SKEW_BY_EDGE = 1.8524 * CUT_OFF + 0.8822 * CUT_OFF ** 2
 """The curves of what the edge cuts off, for refraction bends the Gaussian."""
-WHOLE = 0.9995
+WHOLE = 0.9957
 """Of T's albedo in closed form."""
-WIDER = 7.5737
+WIDER = 2.7535
 """How much wider than 1/(e + 2) the variance of cos^e is, times e + 2, widened by refraction."""
-X_AWAY, X_RISE, PLACE, NARROW, FADING = 1.3181, 1.2598, 0.9634, 0.9934, 1.017
+X_AWAY, X_RISE, PLACE, NARROW, FADING = 1.1351, 1.2263, 0.9871, 0.9098, 0.5648
 MOST_EXPONENT = 2.0
 """Of the interference's lobe: how far from the mean R/T is taken, how much refraction raises it, its place and variance
 over those of Gaussians, and how much it fades where 2Φ turns within it."""
-NEAR, MOST_TO_R, MOST_TAKEN, PULL = 0.3534, 0.9, 2.0, 0.3699
+NEAR, MOST_TO_R, MOST_TAKEN, PULL = 0.3341, 0.9, 2.0, 0.4446
 """How near to R's lobe the interference is R's; the most that R gets, and that T loses; how far it draws R's lobe."""
-OFF_PLANE, SPREAD = 0.6104, -4.6457
+OFF_PLANE, SPREAD = 0.5374, 3.292
 """Weights of how far the interference moves T off the plane of n0 and D, and of how much it widens T across it."""
-SKEW, SKEW_X, MOST_SKEW, MEAN_X = 5.9452, 1.3105, 3.7394, 3.3303
-FLAT, FLAT_CUT = 2.0583, 0.4098
-LEAST_VARIANCE, MOST_APART = 0.15, 2.0173
+SKEW, SKEW_X, MOST_SKEW, MEAN_X = 5.8451, 1.7976, 2.0853, 3.2983
+FLAT, FLAT_CUT = 2.1147, 0.3117
+LEAST_VARIANCE, MOST_APART = 0.15, 2.076
 """Weights of refraction, interference and edge in the moments; the variance is some of T's at least, and the square of
 how far apart a pair stands some of its variance at most."""
-UNEVEN, A1, A2, B1, B2 = -0.0105, -0.0123, -0.0571, 0.0372, 0.0898
+UNEVEN, A1, A2, B1, B2 = -0.0257, -0.0166, 0.0457, 0.0439, 0.1041
 MOST_FARTHER = 1.5
 """How a lopsided pair differs in weight, in anisotropy and roughness (A1, B1), and in V.H (A2, B2): at most by
 MOST_FARTHER."""
-HIDDEN, HIDES = 0.8391 * np.exp(-9.1211 * KNOTS), 1.5542
+HIDDEN, HIDES = 0.321 * np.exp(-6.8542 * KNOTS), 1.5571
 """What a pair loses at the horizon, over the cosine of the mean of T, and r1² of those that lose nothing."""
 LEAST_1_V_L, LEAST_V_H = 0.08, 0.2
 LEAST_LEAN, MOST_LEAN = -0.3, 0.12
@@ -199,7 +198,7 @@ def within_the_layer(exits, r1, f, e1):
     >>> import numpy as np
     >>> up, r1 = np.array([0.0, 0.0, 1.0]), np.full(3, 1.5)
     >>> within_the_layer(exits_of(up, up, 0.0 * up, r1), r1, f_eq8(r1), 170.0).albedo.round(2)
-    array([1.04, 1.04, 1.04])
+    array([1.03, 1.03, 1.03])
     """
     cut, late = _cuts(exits, r1, e1)
     share = lookup(cut, KNOTS, (1.0 - LATE) * SHARE) + lookup(late, KNOTS, LATE * SHARE)
@@ -472,7 +471,7 @@ def light_of_the_layer(view, n0, aside, r1, d, wavelengths, e0, e1, published=0.
     >>> up = np.array([0.0, 0.0, 1.0])
     >>> light = light_of_the_layer(up, up, 0.0 * up, np.full(3, 1.5), 0.0, np.full(3, 500.0), 98.0, 170.0)
     >>> (light.r + light.t).round(2)
-    array([1.34, 1.34, 1.34])
+    array([1.33, 1.33, 1.33])
     """
     f = f_eq8(r1)
     exits = exits_of(view, n0, aside, r1)
