@@ -10,7 +10,7 @@ from tests.render import cook_torrance_scenes as scenes
 from tests.render import probes
 from tests.salt import MOST, salt
 
-RESOLUTION = {"default": 16, "1982": 24, "brushed": 16}
+RESOLUTION = {"default": 16, "1982": 32, "brushed": 16}
 """The rougher, the rarer are the facets that a lamp lights, and the more samples find a speck."""
 SEEDS = 12
 SAMPLES = 256
