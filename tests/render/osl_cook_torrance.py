@@ -160,17 +160,17 @@ def metals(count):
     return [n, np.maximum(k, 0.0)]
 
 
-def drawn_slope(of_slopes, weights, u):
+def drawn_slope(of_slopes, weights, has_native, u):
     """The slope that u draws, of four, and its weight."""
-    return sampler.drawn_slope(u, list(of_slopes.T), list(weights.T))
+    return sampler.drawn_slope(u, has_native, list(of_slopes.T), list(weights.T))
 
 
 def lists_of_four(count=60):
-    """Slopes and weights, some of the weights 0, and a number even in [0, 1)."""
+    """Slopes and weights, some of the weights 0, whether there are native lobes, and a number even in [0, 1)."""
     numbers = spread(count, *[(0.05, 1.0)] * 4, *[(-0.3, 1.0)] * 4, (0.0, 0.999))
     weights = np.maximum(np.stack(numbers[4:8], axis=-1), 0.0)
     some = weights.sum(axis=-1) > 0.0
-    return [np.stack(numbers[:4], axis=-1)[some], weights[some], numbers[8][some]]
+    return [np.stack(numbers[:4], axis=-1)[some], weights[some], np.arange(some.sum()) % 2, numbers[8][some]]
 
 
 def normals(count=60):
@@ -258,7 +258,7 @@ FORMULAS = {
     "f82(float, color, color)": (
         lambda c, f0, tint: fresnel.f82(column(c), f0, tint), [*spread(60, UNIT), *colours(60, UNIT, UNIT)]),
     "f82_tint(color, vector, vector)": (lambda f0, n, k: sampler.native_fresnel(n, k)[1], metals_and_f0()),
-    "drawn_slope(float[4], float[4], float, output float, output float)": (drawn_slope, lists_of_four()),
+    "drawn_slope(float[4], float[4], int, float, output float, output float)": (drawn_slope, lists_of_four()),
     "narrow_slope(float, float)": (sampling.narrow_slope, grid(SLOPES, SHARES)),
     "wide_slope(float, float)": (sampling.wide_slope, grid(SLOPES, SHARES)),
     "towards_flanks(float, float, output float, output float)": (

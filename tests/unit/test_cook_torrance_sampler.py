@@ -390,12 +390,13 @@ def test_slopes_are_drawn_by_weight():
     assert stats.chisquare(counts, np.array([1 / 6, 3 / 6, 2 / 6]) * len(u)).pvalue > 1e-3
 
 
-def test_a_drawn_slope_weighs_what_it_is_drawn_too_seldom():
+@pytest.mark.parametrize("has_native", [0.0, 1.0])
+def test_a_drawn_slope_weighs_what_it_is_drawn_too_seldom(has_native):
     slopes, weights = [0.1, 0.3, 0.4, 0.2], [0.5, 0.0, 0.3, 0.2]
     u = (np.arange(40000) + 0.5) / 40000
-    m, weight = sampler.drawn_slope(u, slopes, weights)
+    m, weight = sampler.drawn_slope(u, has_native, slopes, weights)
     assert_allclose([np.sum(weight[m == slope]) / len(u) for slope in slopes], weights, atol=1e-4)
-    assert np.mean(m == 0.4) > np.mean(m == 0.1)
+    assert (np.mean(m == 0.4) > np.mean(m == 0.1)) == bool(has_native)
 
 
 def test_widths():

@@ -73,7 +73,7 @@ def _drawn_lobe(builder, slopes, specular, width, has_native, scale, surface, in
     with builder.frame("Draw"):
         gaussian = less(0.0, scale.gaussian) * less(builder.random(DISTRIBUTION), scale.gaussian)
         tilt, azimuth, which = builder.three_randoms(FACET)
-    slope = _chosen_slope(builder, which, slopes, surface.n_v, width, surface.anisotropy)
+    slope = _chosen_slope(which, has_native, slopes, surface.n_v, width, surface.anisotropy)
     with builder.frame("Roulette"):
         probability = where(has_native, kept(slope.share), 1.0)
         shown = less(builder.random(ROULETTE), probability)
@@ -108,12 +108,12 @@ def _native_lobes(builder, slopes, specular, has_native, scale, surface, index):
 
 
 @part("Drawn Slope")
-def _chosen_slope(builder, u, slopes, n_v, width, anisotropy):
+def _chosen_slope(u, has_native, slopes, n_v, width, anisotropy):
     """One of the slopes, with what its lobes need and what it weighs for all, by name."""
     slopes, weights = zip(*[(slope.m, slope.w) for slope in slopes])
     shares, leans = zip(*[_native_share(n_v, m, anisotropy) for m in slopes])
     narrow, wide = zip(*[_lobe_slopes(m, width, anisotropy) for m in slopes])
-    m, weight, share, lean, narrow, wide = drawn_slope(u, slopes, weights, shares, leans, narrow, wide)
+    m, weight, share, lean, narrow, wide = drawn_slope(u, has_native, slopes, weights, shares, leans, narrow, wide)
     return SimpleNamespace(m=m, share=share, lean=lean, narrow=narrow, wide=wide, weight=weight)
 
 

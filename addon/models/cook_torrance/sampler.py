@@ -126,21 +126,23 @@ def _native_lean(x, m):
     return clip(minimum(lean_far, lean_near), 0.0, m * (0.21 - 0.19 * m))
 
 
-def drawn_slope(u, slopes, weights, *values):
-    """One of the slopes m of weights w, drawn by w m, and its weight Σ w m/m; then the entries of the value lists.
+def drawn_slope(u, has_native, slopes, weights, *values):
+    """One of the slopes m of weights w, and what it weighs for all of them; then the entries of the value lists.
 
-    u  even in [0, 1)
+    u           even in [0, 1)
+    has_native  1 where native lobes carry most of the light: drawn by w m, it weighs Σ w m/m; 0: by w, Σ w
 
-    Not drawn by w alone: what the native lobe leaves lies farther out on the
-    rougher lobes, where drawn facets are rarer and each shows more.
+    What the native lobe leaves lies farther out on the rougher lobes, where
+    drawn facets are rarer and each shows more.
 
-    >>> m, weight, first = drawn_slope(0.5, [0.4, 0.2], [0.4, 0.6], [1.0, 2.0])
+    >>> m, weight, first = drawn_slope(0.5, 1.0, [0.4, 0.2], [0.4, 0.6], [1.0, 2.0])
     >>> float(m), round(float(weight), 6), float(first)
     (0.4, 0.7, 1.0)
     """
-    odds = [w * m for m, w in zip(slopes, weights)]
-    m, *found = chosen(u, odds, slopes, *values)
-    return m, sum(odds[1:], odds[0]) / m, *found
+    more = [where(has_native, m, 1.0) for m in slopes]
+    odds = [w * x for x, w in zip(more, weights)]
+    m, more_drawn, *found = chosen(u, odds, slopes, more, *values)
+    return m, sum(odds[1:], odds[0]) / more_drawn, *found
 
 
 @part("Roulette")
