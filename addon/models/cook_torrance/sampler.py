@@ -126,6 +126,7 @@ def _native_lean(x, m):
     return clip(minimum(lean_far, lean_near), 0.0, m * (0.21 - 0.19 * m))
 
 
+@part("Draw by Weight", "m", "weight", "share", "lean", "narrow", "wide")
 def drawn_slope(u, has_native, slopes, weights, *values):
     """One of the slopes m of weights w, and what it weighs for all of them; then the entries of the value lists.
 
@@ -139,10 +140,15 @@ def drawn_slope(u, has_native, slopes, weights, *values):
     >>> float(m), round(float(weight), 6), float(first)
     (0.4, 0.7, 1.0)
     """
-    more = [where(has_native, m, 1.0) for m in slopes]
-    odds = [w * x for x, w in zip(more, weights)]
-    m, more_drawn, *found = chosen(u, odds, slopes, more, *values)
-    return m, sum(odds[1:], odds[0]) / more_drawn, *found
+    odds = [w * _more_often(has_native, m) for m, w in zip(slopes, weights)]
+    m, *found = chosen(u, odds, slopes, *values)
+    return m, sum(odds[1:], odds[0]) / _more_often(has_native, m), *found
+
+
+@part("How Often")
+def _more_often(has_native, m):
+    """Over the weight, how often a slope is drawn."""
+    return where(has_native, m, 1.0)
 
 
 @part("Roulette")
